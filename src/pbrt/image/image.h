@@ -1,0 +1,86 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pbrt/util/vecmath.h"
+
+namespace pbrt {
+
+/// What travels with a picture. Empty optionals are not written.
+struct ImageMetadata {
+    /// Data window in full-picture pixels, [x0, x1) x [y0, y1), and the full size.
+    std::array<int, 4> pixelBounds{};  ///< x0 x1 y0 y1; all 0: the whole picture
+    Point2i fullResolution{};
+    std::optional<std::array<std::array<float, 2>, 4>> chromaticities;  ///< xy: R G B white
+    std::optional<float> renderTimeSeconds;
+    std::optional<int> samplesPerPixel;
+    std::optional<float> mse;
+    /// Row-major as pbrt writes them.
+    std::optional<std::array<std::array<float, 4>, 4>> cameraFromWorld, ndcFromWorld;
+    std::map<std::string, std::string> strings;
+};
+
+/// Pixels in float, interleaved channels, rows top to bottom; values are linear light.
+class Image {
+  public:
+    Image() = default;
+    Image(Point2i resolution, std::vector<std::string> channels);
+
+    Point2i Resolution() const { return resolution; }
+    int NChannels() const { return int(channels.size()); }
+    const std::vector<std::string> &ChannelNames() const { return channels; }
+    /// Index of the named channel; -1 where there is none.
+    int ChannelIndex(std::string_view name) const;
+    float Get(Point2i p, int c) const { return pixels[Offset(p) + c]; }
+    void Set(Point2i p, int c, float v) { pixels[Offset(p) + c] = v; }
+    const float *Pixel(Point2i p) const { return &pixels[Offset(p)]; }
+    const std::vector<float> &Data() const { return pixels; }
+    std::vector<float> &Data() { return pixels; }
+
+    ImageMetadata metadata;
+
+  private:
+    size_t Offset(Point2i p) const {
+        return (size_t(p.y) * resolution.x + p.x) * channels.size();
+    }
+    Point2i resolution;
+    std::vector<std::string> channels;
+    std::vector<float> pixels;
+};
+
+/// How stored values become linear ones.
+struct ColorEncoding {
+    enum class Kind { Linear, sRGB, Gamma } kind = Kind::Linear;
+    float gamma = 1;
+    float ToLinear(float encoded) const;
+    float FromLinear(float linear) const;
+};
+
+/// Either a value or the reason why there is none (a sentence for the user, file name included).
+template <typename T>
+struct OrError {
+    std::optional<T> value;
+    std::string error;
+    explicit operator bool() const { return value.has_value(); }
+};
+
+/// Reads .exr, .png, .jpg/.jpeg, .pfm, .hdr by their content's magic. 8- and 16-bit files are
+/// decoded by `encoding` (default sRGB for 8-bit png and jpg, linear otherwise).
+OrError<Image> ReadImage(const std::string &fileName,
+                         std::optional<ColorEncoding> encoding = std::nullopt);
+
+enum class ExrPixels { Half, Float };
+/// Writes .exr (ZIP), .png (8 bit sRGB) or .pfm by extension, to a temporary name beside the
+/// target that is renamed when complete. Returns the reason on failure; then nothing is left
+/// behind and an old file is untouched.
+std::optional<std::string> WriteImage(const Image &image, const std::string &fileName,
+                                      ExrPixels pixels = ExrPixels::Half);
+/// True where WriteImage knows the extension.
+bool CanWriteImage(std::string_view fileName);
+
+}  // namespace pbrt

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <array>
+#include <deque>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "pbrt/scene/params.h"
+#include "pbrt/util/transform.h"
+
+namespace pbrt {
+
+/// A directive with its parameters, not yet interpreted.
+struct Entity {
+    std::string type;  ///< plug-in name; empty where the directive was not given
+    FileLoc loc;
+    ParsedParameters params;
+    const RGBColorSpace *colorSpace = &RGBColorSpace::sRGB();
+};
+
+/// Object-to-world at the shutter's start and end.
+using TransformPair = std::array<Transform, 2>;
+
+struct ShapeEntity : Entity {
+    TransformPair worldFromObject;
+    bool reverseOrientation = false;
+    std::string namedMaterial;  ///< set where NamedMaterial was current
+    int material = -1;          ///< else index into Description::materials; -1: the default
+    std::shared_ptr<const Entity> areaLight;  ///< null where none
+};
+
+struct LightEntity : Entity {
+    Transform worldFromLight;
+};
+
+struct TextureEntity : Entity {
+    std::string name;
+    bool isFloat = true;
+    Transform worldFromTexture;
+};
+
+struct NamedMaterialEntity : Entity {
+    std::string name;
+};
+
+struct InstanceUse {
+    std::string name;
+    FileLoc loc;
+    TransformPair worldFromInstance;
+};
+
+/// ObjectBegin ... ObjectEnd: shapes in world coordinates of the definition, and nested uses.
+struct ObjectEntity {
+    FileLoc loc;
+    std::vector<ShapeEntity> shapes;
+    std::vector<InstanceUse> instances;
+};
+
+/// What `Option` and the command line set; the file's values win (PBRT_FORMAT 1.3).
+struct Options {
+    int seed = 0;
+    bool disablePixelJitter = false;
+    bool disableWavelengthJitter = false;
+    bool disableTextureFiltering = false;
+    bool forceDiffuse = false;
+    std::string renderCoordSys = "cameraworld";
+    std::string mseReferenceImage, mseReferenceOut;
+};
+
+/// A whole scene as written: plain entities, printable, nothing interpreted.
+struct Description {
+    Entity film, camera, sampler, filter, integrator, accelerator;
+    TransformPair cameraFromWorld;
+    float transformStart = 0, transformEnd = 1;
+    std::vector<Entity> materials;
+    std::vector<NamedMaterialEntity> namedMaterials;
+    std::vector<TextureEntity> textures;  ///< in file order
+    std::vector<LightEntity> lights;
+    std::vector<ShapeEntity> shapes;
+    std::map<std::string, ObjectEntity> objects;
+    std::vector<InstanceUse> instances;
+    Options options;
+    std::string dir;                     ///< folder of the top-level scene file
+    std::deque<std::string> fileNames;   ///< what FileLoc::file points into
+};
+
+/// Reads scene files (or standard input for an empty list or "-") into `scene`. Mistakes go to the
+/// diagnostics; parsing goes on after each where it can. `scene.options` holds the command line's
+/// values on entry.
+void ParseFiles(const std::vector<std::string> &files, Description &scene, Diagnostics &log);
+/// The same from text; `name` stands for the file in messages, `dir` for its folder.
+void ParseString(std::string_view text, std::string_view name, std::string_view dir,
+                 Description &scene, Diagnostics &log);
+
+}  // namespace pbrt

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "pbrt/util/vecmath.h"
+
+namespace pbrt {
+
+inline constexpr int NSpectrumSamples = 4;
+inline constexpr float LambdaMin = 360, LambdaMax = 830;  ///< nm
+inline constexpr float CIE_Y_integral = 106.856895f;
+
+/// One value per sampled wavelength; one SIMD register.
+class SampledSpectrum {
+  public:
+    using Lanes = float __attribute__((vector_size(16)));
+
+    SampledSpectrum() = default;
+    explicit SampledSpectrum(float v) : v{v, v, v, v} {}
+    explicit SampledSpectrum(Lanes v) : v(v) {}
+    explicit SampledSpectrum(const std::array<float, 4> &a) : v{a[0], a[1], a[2], a[3]} {}
+
+    float operator[](int i) const { return v[i]; }
+    void Set(int i, float x) { v[i] = x; }
+    Lanes Values() const { return v; }
+
+    SampledSpectrum operator+(SampledSpectrum b) const { return SampledSpectrum(v + b.v); }
+    SampledSpectrum operator-(SampledSpectrum b) const { return SampledSpectrum(v - b.v); }
+    SampledSpectrum operator*(SampledSpectrum b) const { return SampledSpectrum(v * b.v); }
+    SampledSpectrum operator/(SampledSpectrum b) const { return SampledSpectrum(v / b.v); }
+    SampledSpectrum operator*(float s) const { return SampledSpectrum(v * s); }
+    SampledSpectrum operator/(float s) const { return SampledSpectrum(v * (1 / s)); }
+    friend SampledSpectrum operator*(float s, SampledSpectrum a) { return a * s; }
+    SampledSpectrum operator-() const { return SampledSpectrum(-v); }
+    SampledSpectrum &operator+=(SampledSpectrum b) { return v += b.v, *this; }
+    SampledSpectrum &operator*=(SampledSpectrum b) { return v *= b.v, *this; }
+    SampledSpectrum &operator*=(float s) { return v *= s, *this; }
+
+    /// True where some value differs from 0.
+    explicit operator bool() const { return v[0] != 0 || v[1] != 0 || v[2] != 0 || v[3] != 0; }
+    float MaxComponentValue() const {
+        return std::max(std::max(v[0], v[1]), std::max(v[2], v[3]));
+    }
+    float MinComponentValue() const {
+        return std::min(std::min(v[0], v[1]), std::min(v[2], v[3]));
+    }
+    float Average() const { return (v[0] + v[1] + v[2] + v[3]) * 0.25f; }
+    bool IsFinite() const {
+        return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]) &&
+               std::isfinite(v[3]);
+    }
+
+  private:
+    Lanes v{};
+};
+
+inline SampledSpectrum SafeDiv(SampledSpectrum a, SampledSpectrum b) {
+    SampledSpectrum r;
+    for (int i = 0; i < NSpectrumSamples; ++i) r.Set(i, b[i] != 0 ? a[i] / b[i] : 0);
+    return r;
+}
+inline SampledSpectrum Sqrt(SampledSpectrum a) {
+    SampledSpectrum r;
+    for (int i = 0; i < NSpectrumSamples; ++i) r.Set(i, std::sqrt(a[i]));
+    return r;
+}
+inline SampledSpectrum ClampZero(SampledSpectrum a) {
+    SampledSpectrum r;
+    for (int i = 0; i < NSpectrumSamples; ++i) r.Set(i, std::max(0.f, a[i]));
+    return r;
+}
+
+/// The wavelengths (nm) a path carries and the densities (1/nm) they were drawn with.
+/// After TerminateSecondary only the first counts: the others have pdf 0 and must not reach the
+/// film.
+class SampledWavelengths {
+  public:
+    /// By the visible importance pdf(lambda) = 0.0039398042 / cosh^2(0.0072 (lambda - 538));
+    /// the i-th wavelength uses frac(u + i/4). `u` in [0, 1).
+    static SampledWavelengths SampleVisible(float u);
+    static SampledWavelengths SampleUniform(float u, float min = LambdaMin, float max = LambdaMax);
+
+    float operator[](int i) const { return lambda[i]; }
+    SampledSpectrum Lambda() const { return lambda; }
+    SampledSpectrum PDF() const { return pdf; }
+    bool SecondaryTerminated() const { return pdf[1] == 0 && pdf[2] == 0 && pdf[3] == 0; }
+    void TerminateSecondary() {
+        if (SecondaryTerminated()) return;
+        pdf = SampledSpectrum(std::array<float, 4>{pdf[0] / NSpectrumSamples, 0, 0, 0});
+    }
+
+  private:
+    SampledSpectrum lambda, pdf;
+};
+
+float VisibleWavelengthsPDF(float lambda);
+
+}  // namespace pbrt

@@ -1,0 +1,78 @@
+#include "pbrt/util/diagnostics.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <numeric>
+
+namespace pbrt {
+
+void Diagnostics::Error(const FileLoc &loc, std::string_view message) {
+    Add(Severity::Error, loc, message);
+}
+
+void Diagnostics::Warning(const FileLoc &loc, std::string_view message) {
+    Add(Severity::Warning, loc, message);
+}
+
+void Diagnostics::Add(Severity severity, const FileLoc &loc, std::string_view message) {
+    if (severity == Severity::Error) ++errors;
+    std::string text = loc.line > 0
+                           ? fmt::format("{}:{}:{}: {}", loc.file, loc.line, loc.column, message)
+                       : loc.file.empty() ? std::string(message)
+                                          : fmt::format("{}: {}", loc.file, message);
+    if (!messages.empty() && messages.back().text == text) return;
+    messages.push_back({severity, std::move(text)});
+}
+
+namespace {
+
+/// Levenshtein distance, letters' case ignored.
+int Edits(std::string_view a, std::string_view b) {
+    std::vector<int> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), 0);
+    for (size_t i = 1; i <= a.size(); ++i) {
+        int diagonal = row[0];
+        row[0] = int(i);
+        for (size_t j = 1; j <= b.size(); ++j) {
+            const bool same = std::tolower(static_cast<unsigned char>(a[i - 1])) ==
+                              std::tolower(static_cast<unsigned char>(b[j - 1]));
+            const int next = std::min({row[j] + 1, row[j - 1] + 1, diagonal + (same ? 0 : 1)});
+            diagonal = row[j];
+            row[j] = next;
+        }
+    }
+    return row.back();
+}
+
+}  // namespace
+
+std::string_view NearestName(std::string_view name, std::span<const std::string_view> candidates) {
+    std::string_view best;
+    int fewest = 1 << 30;
+    for (std::string_view c : candidates) {
+        const int edits = Edits(name, c);
+        if (edits < fewest && 3 * edits <= int(std::max(name.size(), c.size()))) {
+            fewest = edits;
+            best = c;
+        }
+    }
+    return best;
+}
+
+std::string DidYouMean(std::string_view name, std::span<const std::string_view> candidates) {
+    const std::string_view nearest = NearestName(name, candidates);
+    return nearest.empty() ? std::string() : fmt::format("; did you mean \"{}\"?", nearest);
+}
+
+std::string QuotedList(std::span<const std::string_view> names) {
+    std::string list;
+    for (size_t i = 0; i < names.size(); ++i) {
+        if (i > 0) list += i + 1 == names.size() ? " or " : ", ";
+        list += fmt::format("\"{}\"", names[i]);
+    }
+    return list;
+}
+
+}  // namespace pbrt

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pbrt {
+
+/// A place in a scene file. `file` points into text owned by the parsed scene (or is a literal).
+/// Lines and columns count from 1; line 0 means "no place".
+struct FileLoc {
+    std::string_view file;
+    int line = 0, column = 0;
+};
+
+enum class Severity { Warning, Error };
+
+struct Message {
+    Severity severity;
+    std::string text;  ///< "file:line:column: message"
+};
+
+/// Collects the user's mistakes, so that one run reports as many as it can.
+class Diagnostics {
+  public:
+    void Error(const FileLoc &loc, std::string_view message);
+    void Warning(const FileLoc &loc, std::string_view message);
+    bool HasErrors() const { return errors > 0; }
+    int ErrorCount() const { return errors; }
+    const std::vector<Message> &Messages() const { return messages; }
+
+  private:
+    void Add(Severity severity, const FileLoc &loc, std::string_view message);
+    std::vector<Message> messages;  ///< in order, without immediate repetitions
+    int errors = 0;
+};
+
+/// The candidate with the fewest edits from `name` (case ignored); empty where none is near, that
+/// is, within a third of the longer name's length.
+std::string_view NearestName(std::string_view name, std::span<const std::string_view> candidates);
+/// `; did you mean "x"?` or nothing.
+std::string DidYouMean(std::string_view name, std::span<const std::string_view> candidates);
+/// "a", "b" or "c" - for messages that list what is allowed.
+std::string QuotedList(std::span<const std::string_view> names);
+
+}  // namespace pbrt
