@@ -1,0 +1,70 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "pbrt/shapes/shape.h"
+
+namespace pbrt {
+
+/// What traversal must know of a shape beside its form.
+struct Geometry {
+    Shape shape;
+    int material = 0;          ///< index into World::materials
+    int firstLight = -1;       ///< light of primitive 0; -1: not emissive
+    bool passesLight = false;  ///< surface with gaps: shadow rays ask for its transmittance
+    FloatTexture alpha = 1.f;  ///< constant 1: no test
+};
+
+struct Instance {
+    uint32_t object;                       ///< index into the objects given to Accel
+    std::array<Transform, 2> renderFromObject;  ///< at shutter open and close
+    bool moving = false;
+};
+
+/// Range of geometries [first, last) that an instance repeats.
+struct ObjectRange {
+    uint32_t first, last;
+};
+
+/// Called for each surface that passes light on a shadow ray's way. Returns the fraction that
+/// passes, per wavelength folded to one number, in [0, 1].
+struct GapTransmittance {
+    virtual float operator()(const Hit &hit, const Ray &ray) const = 0;
+
+  protected:
+    ~GapTransmittance() = default;
+};
+
+/// The only room that calls Embree. Immutable after construction; all queries are thread-safe.
+class Accel {
+  public:
+    /// Geometries [0, nTop) stand in the scene as they are; the others only through instances.
+    /// The spans must outlive the Accel.
+    Accel(std::span<const Geometry> geometries, uint32_t nTop, std::span<const ObjectRange> objects,
+          std::span<const Instance> instances, int nThreads);
+    ~Accel();
+    Accel(Accel &&) noexcept;
+    Accel &operator=(Accel &&) noexcept;
+
+    /// Nearest hit in (0, ray.tMax); alpha cut-outs are passed over, by a hash of ray and primitive.
+    bool Intersect(const Ray &ray, Hit *hit) const;
+    /// True where anything opaque stands in (0, ray.tMax). One traversal.
+    bool Occluded(const Ray &ray) const;
+    /// Fraction of light that passes along the ray: 0 where opaque, the product of `gaps` over
+    /// surfaces with passesLight, any number of them. One traversal.
+    float Transmittance(const Ray &ray, const GapTransmittance &gaps) const;
+    bool HasGaps() const { return hasGaps; }
+
+    Bounds3f WorldBounds() const;
+    size_t MemoryBytes() const;  ///< what Embree holds
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl;
+    bool hasGaps = false;
+};
+
+}  // namespace pbrt

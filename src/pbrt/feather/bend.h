@@ -1,0 +1,89 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <numbers>
+
+#include "direction.h"
+#include "row.h"
+#include "units.h"
+
+namespace pbrt::feather {
+
+/// A segment of a bent barbule, by its bend angle a in (-pi/2, pi/2); its normal is (0, sin a, cos a).
+template <std::floating_point T>
+struct Segment {
+    T sin, cos;
+
+    /// The direction w in the plane across the segment.
+    Planar<T> Across(Direction<T> w) const { return {w.y * sin + w.z * cos, w.x}; }
+};
+
+/// The circular arc along a barbule: a chain of straight rows (MODEL section 4.3).
+///
+/// A segment takes the share da / (2 sin opening) of the vane's area, and counts with
+/// |w.z_a| / |w.z| for a direction w. With s = |w.y| cos a' - |w.z| sin a' (a' is a, turned so that
+/// a' = opening is the end nearest w) the weight is uniform in s, over
+/// |w.y| cos opening -+ |w.z| sin opening: this also where the arc's rim hides a part of it.
+template <std::floating_point T>
+class Bend {
+  public:
+    /// A smaller opening counts as this one: a straight row would reflect into a delta.
+    static constexpr T kLeastOpening = T(1e-3);
+
+    Bend() = default;
+    explicit Bend(Radian<T> halfAngle)
+        : opening(std::max(halfAngle.value, kLeastOpening)),
+          sinOpening(std::sin(opening)),
+          cosOpening(std::cos(opening)) {}
+
+    T Opening() const { return opening; }
+    T SinOpening() const { return sinOpening; }
+
+    /// +1 if w is nearest the end at +opening, else -1.
+    static T Side(Direction<T> w) { return (w.y < 0) == (w.z < 0) ? T(1) : T(-1); }
+
+    /// Whether the segment is part of the arc and w sees it; cos a >= 0.
+    /// float: the range's end is off by up to 1e-7 rad.
+    bool Sees(Direction<T> w, Segment<T> a) const {
+        const T sinNear = Side(w) * a.sin;  // of a'
+        const T sinXi = sinOpening * a.cos - cosOpening * sinNear;
+        const T cosXi = cosOpening * a.cos + sinOpening * sinNear;
+        return std::abs(a.sin) <= sinOpening &&
+               sinXi * std::abs(w.y) <= std::abs(w.z) * (1 + cosXi);
+    }
+
+    /// The bend angles that w sees.
+    Interval<T> SeenFrom(Direction<T> w) const {
+        const T absY = std::abs(w.y), absZ = std::abs(w.z);
+        if (absY * sinOpening <= absZ * cosOpening) return {-opening, opening};
+        const T width = std::min(2 * opening, 2 * std::atan2(absZ, absY));
+        return Side(w) > 0 ? Interval<T>{opening - width, opening}
+                           : Interval<T>{-opening, width - opening};
+    }
+
+    /// The range of s for w.
+    Interval<T> Weights(Direction<T> w) const {
+        const T middle = std::abs(w.y) * cosOpening, half = std::abs(w.z) * sinOpening;
+        return {middle - half, middle + half};
+    }
+
+    /// Draws a segment in proportion to its weight for w, w.z != 0, from u in [0, 1).
+    Segment<T> Sample(Direction<T> w, T u) const {
+        // In turns of (|w.z|, |w.y|) = r (cos t, sin t): s = r sin(t - a'), here from a' = opening.
+        const T absY = std::abs(w.y), absZ = std::abs(w.z);
+        const T rSqr = absY * absY + absZ * absZ;
+        const T s0 = absY * cosOpening - absZ * sinOpening;
+        const T c0 = absZ * cosOpening + absY * sinOpening;
+        const T ds = 2 * absZ * sinOpening * u, s = s0 + ds;
+        // sqrt(r^2 - s^2), from the sum that does not cancel
+        const T c = std::sqrt(std::max(T(0), c0 * c0 - ds * (s0 + s)));
+        return {Side(w) * (absY * c - absZ * s) / rSqr, (absZ * c + absY * s) / rSqr};
+    }
+
+  private:
+    T opening, sinOpening, cosOpening;
+};
+
+}  // namespace pbrt::feather

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <numbers>
+
+#include "units.h"
+
+namespace pbrt::feather {
+
+/// sin^2(pi turns), for any finite number of turns.
+/// float: polynomial, 3e-7 relative to the exact value of the rounded argument; written out because
+/// a call to sin would keep the loop over the nodes of TRT from being vectorised.
+template <std::floating_point T>
+T SinSquaredPi(T turns) {
+    const T x = turns - std::rint(turns);
+    if constexpr (sizeof(T) > sizeof(float)) {
+        const T s = std::sin(std::numbers::pi_v<T> * x);
+        return s * s;
+    } else {
+        const T y = x * x;  // minimax for sin(pi x)/x on |x| <= 1/2, 5e-9 before rounding
+        T s = T(0.077560388);
+        s = s * y + T(-0.59824210);
+        s = s * y + T(2.5500698);
+        s = s * y + T(-5.1677098);
+        s = s * y + T(3.14159274);
+        return s * s * y;
+    }
+}
+
+/// Power shares of the two polarisations.
+template <std::floating_point T>
+struct Polarised {
+    T s, p;
+};
+
+/// The keratin film at one wavelength: a lossless layer with air on both sides.
+///
+/// S-eq.1 and S-eq.2 in real numbers (MODEL section 3): reflected and transmitted power are X/(X+Y)
+/// and Y/(X+Y), so that they sum to 1 and neither is found by subtraction.
+/// Domain: lambda > 0, thickness >= 0, eta >= 1, cosine in [0, 1] measured in air.
+template <std::floating_point T>
+struct Film {
+    T excess;     ///< eta^2 - 1
+    T invEtaSqr;  ///< 1 / eta^2
+    T contrast;   ///< (eta^2 - 1)^2
+    T turns;      ///< phase in turns per unit of eta cos(angle in the film)
+    T limit;      ///< reflectance where X + Y = 0: 0 if there is no film, else 1 (grazing)
+
+    Film() = default;
+    Film(Nm<T> lambda, Nm<T> thickness, T eta)
+        : excess((eta - 1) * (eta + 1)),
+          invEtaSqr(1 / (eta * eta)),
+          contrast(excess * excess),
+          turns(2 * (thickness / lambda)),
+          limit(thickness.value == 0 || eta == 1 ? T(0) : T(1)) {}
+
+    /// Unpolarised reflectance, in [0, 1].
+    /// float against double: 1e-4 at worst from 0 to 89.99 deg for films below 2 um.
+    T Reflectance(T cosine) const {
+        const auto [x, y] = Airy(cosine);
+        return (Share(x.s, y, limit) + Share(x.p, y, limit)) / 2;
+    }
+
+    /// Transmittance of each polarisation, in [0, 1].
+    Polarised<T> Transmittance(T cosine) const {
+        const auto [x, y] = Airy(cosine);
+        return {Share(y, x.s, 1 - limit), Share(y, x.p, 1 - limit)};
+    }
+
+    /// Unpolarised Fresnel reflectance of the film's upper surface alone.
+    T SurfaceReflectance(T cosine) const {
+        const T inside = std::sqrt(excess + cosine * cosine);  // eta cos(angle in the film)
+        if (inside == 0) return limit;
+        const T s = (cosine - inside) / (cosine + inside);
+        const T scaled = inside * invEtaSqr;
+        const T p = (cosine - scaled) / (cosine + scaled);
+        return (s * s + p * p) / 2;
+    }
+
+  private:
+    struct Terms {
+        Polarised<T> x;  ///< X of either polarisation
+        T y;             ///< Y, which both share
+    };
+
+    Terms Airy(T cosine) const {
+        const T c2 = std::min(cosine * cosine, T(1));
+        const T insideSqr = excess + c2;  // eta^2 cos^2 in the film; eta^2 - s2 without cancellation
+        const T k = contrast * SinSquaredPi(turns * std::sqrt(insideSqr));
+        const T brewster = c2 - (1 - c2) * invEtaSqr;
+        return {{k, k * brewster * brewster}, 4 * c2 * insideSqr};
+    }
+
+    static T Share(T part, T rest, T limit) {
+        const T sum = part + rest;
+        return sum > 0 ? part / sum : limit;
+    }
+};
+
+}  // namespace pbrt::feather
