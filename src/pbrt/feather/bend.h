@@ -11,7 +11,8 @@
 
 namespace pbrt::feather {
 
-/// A segment of a bent barbule, by its bend angle a in (-pi/2, pi/2); its normal is (0, sin a, cos a).
+/// A segment of a bent barbule, by its bend angle a in (-pi/2, pi/2); its normal is (0, sin a, cos
+/// a).
 template <std::floating_point T>
 struct Segment {
     T sin, cos;

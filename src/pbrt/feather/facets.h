@@ -46,8 +46,7 @@ template <std::floating_point T>
 T FacetDensity(const Row<T> &row, const Bend<T> &bend, const Facet<T> &facet) {
     if (facet.equator == 0) return 0;
     const T ratio = row.Aspect() / facet.length;
-    return ratio * ratio /
-           (facet.length * 2 * row.Spacing() * bend.SinOpening() * facet.equator);
+    return ratio * ratio / (facet.length * 2 * row.Spacing() * bend.SinOpening() * facet.equator);
 }
 
 /// V_w(m): whether w sees the facet.

@@ -14,10 +14,14 @@ enum class Unit { None, Nanometre, Radian, Degree };
 /// What an error message or the manual writes after a value.
 constexpr std::string_view UnitName(Unit unit) {
     switch (unit) {
-        case Unit::Nanometre: return "nm";
-        case Unit::Radian: return "rad";
-        case Unit::Degree: return "deg";
-        default: return "";
+        case Unit::Nanometre:
+            return "nm";
+        case Unit::Radian:
+            return "rad";
+        case Unit::Degree:
+            return "deg";
+        default:
+            return "";
     }
 }
 
@@ -60,7 +64,8 @@ inline constexpr std::array<SpectrumParam, 2> kSpectrumParams{{
 /// The entry of kParams called `name`, which must be in the table.
 constexpr const Param &ParamNamed(std::string_view name) {
     const Param *found = kParams.data();
-    while (found->name != name) ++found;
+    while (found->name != name)
+        ++found;
     return *found;
 }
 

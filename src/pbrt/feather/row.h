@@ -76,9 +76,9 @@ class Row {
     /// What the in-plane direction w (any length; zero sees nothing) sees of the row.
     ///
     /// With D = v.t and z = v.u for the step v from circle to circle, |D| < 2 and s = sign(D):
-    /// neighbours cross in a visible point when 2|D| > |v|^2 (this is |z| < G of MODEL 4.2, squared)
-    /// and cut [-1, 1] at +-|D|/2 - s z sqrt(1/|v|^2 - 1/4); else the one in front hides all that
-    /// it overlaps, and |D| is left at the other end.
+    /// neighbours cross in a visible point when 2|D| > |v|^2 (this is |z| < G of MODEL 4.2,
+    /// squared) and cut [-1, 1] at +-|D|/2 - s z sqrt(1/|v|^2 - 1/4); else the one in front hides
+    /// all that it overlaps, and |D| is left at the other end.
     RowView<T> SeenFrom(Planar<T> w) const {
         const Planar<T> axes = ToAxes(w), image{axes.n / aspect, axes.x};
         const T reach = std::sqrt(Dot(image, image));
@@ -95,8 +95,9 @@ class Row {
                      : RowView<T>{u, reach, shift, 1 - shift, 1};
     }
 
-    /// The |w_n| at which a direction with the given w_x sees a gap; w_n w_x has the sign of `side`.
-    /// The ends are the roots of |D| = 2, a quadratic form in (w_n, w_x); (inf, inf) if there is none.
+    /// The |w_n| at which a direction with the given w_x sees a gap; w_n w_x has the sign of
+    /// `side`. The ends are the roots of |D| = 2, a quadratic form in (w_n, w_x); (inf, inf) if
+    /// there is none.
     Interval<T> Open(T absX, T side) const {
         constexpr T infinity = std::numeric_limits<T>::infinity();
         if (Closed()) return {infinity, infinity};

@@ -87,7 +87,8 @@ struct Film {
 
     Terms Airy(T cosine) const {
         const T c2 = std::min(cosine * cosine, T(1));
-        const T insideSqr = excess + c2;  // eta^2 cos^2 in the film; eta^2 - s2 without cancellation
+        const T insideSqr =
+            excess + c2;  // eta^2 cos^2 in the film; eta^2 - s2 without cancellation
         const T k = contrast * SinSquaredPi(turns * std::sqrt(insideSqr));
         const T brewster = c2 - (1 - c2) * invEtaSqr;
         return {{k, k * brewster * brewster}, 4 * c2 * insideSqr};

@@ -1,0 +1,34 @@
+// Shows that the model compiles alone: no include path, nothing but the standard library.
+
+#include "barbule.h"
+#include "bend.h"
+#include "direction.h"
+#include "dispersion.h"
+#include "facets.h"
+#include "gap.h"
+#include "params.h"
+#include "pigment.h"
+#include "quadrature.h"
+#include "row.h"
+#include "thin_film.h"
+#include "units.h"
+
+namespace pbrt::feather {
+
+template struct Film<float>;
+template struct Film<double>;
+template class Row<float>;
+template class Row<double>;
+template class Bend<float>;
+template class Bend<double>;
+template class Barbule<float, 4>;
+template class Barbule<double, 4>;
+template class Barbule<double, 4, Converged<16, 32>>;
+
+static_assert([] {
+    for (const Param &p : kParams)
+        if (!p.Legal(p.def)) return false;
+    return true;
+}());
+
+}  // namespace pbrt::feather
