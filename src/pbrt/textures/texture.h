@@ -71,7 +71,7 @@ class SpectrumTexture {
     std::shared_ptr<const SpectrumNode> node;
 };
 
-/// An image texture's pixels; shared between textures that name the same file. Defined in imagemap.h.
+/// An image texture's pixels; shared between textures that name the same file. In mipmap.h.
 class MIPMap;
 
 /// The named textures of a scene. A spectrum texture exists once per role, because its RGB values
@@ -92,6 +92,7 @@ struct NamedTextures {
 /// `renderFromWorld` maps texture space into the space of TextureEvalContext::p.
 NamedTextures BuildTextures(const Description &scene, const Transform &renderFromWorld,
                             Diagnostics &log);
+std::span<const std::string_view> TextureClassNames();
 
 /// `"texture name"`, or `"float name"`, else the default. A constant outside [row.lo, row.hi] is an
 /// error; looked-up values are not checked here.

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "pbrt/textures/texture_builder.h"
+
+namespace pbrt {
+
+/// The same `value` everywhere. Leaves no node behind.
+struct ConstantTexture {
+    static constexpr std::string_view kName = "constant";
+    static FloatTexture CreateFloat(TextureBuilder &builder) {
+        return builder.params.GetOneFloat("value", 1);
+    }
+    static SpectrumByRole CreateSpectrum(TextureBuilder &builder) {
+        return builder.Spectra("value", 1);
+    }
+};
+
+}  // namespace pbrt

@@ -1,0 +1,154 @@
+#include "pbrt/textures/imagemap.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+namespace pbrt {
+namespace {
+
+/// Everything both kinds of image texture share.
+struct ImageLookup {
+    std::shared_ptr<const MIPMap> image;
+    TextureMapping2D mapping;
+    TextureSampling sampling;
+    float scale = 1;
+    bool invert = false;
+
+    template <typename T>
+    T Stored(const TextureEvalContext &ctx) const {
+        const TexCoord2D c = mapping.Map(ctx);
+        // Rows of pictures run downwards.
+        return image->Lookup<T>({c.st.x, 1 - c.st.y}, {c.dsdx, -c.dtdx, c.dsdy, -c.dtdy}, sampling);
+    }
+    float Adjusted(float v) const {
+        v *= scale;
+        return std::max(0.f, invert ? 1 - v : v);
+    }
+};
+
+struct FloatImage : FloatNode {
+    explicit FloatImage(ImageLookup lookup) : lookup(std::move(lookup)) {}
+    float Evaluate(const TextureEvalContext &ctx) const override {
+        return lookup.Adjusted(lookup.Stored<float>(ctx));
+    }
+    ImageLookup lookup;
+};
+
+struct SpectrumImage : SpectrumNode {
+    SpectrumImage(ImageLookup lookup, SpectrumType role) : lookup(std::move(lookup)), role(role) {}
+    SampledSpectrum Evaluate(const TextureEvalContext &ctx,
+                             const SampledWavelengths &lambda) const override {
+        if (lookup.image->NChannels() == 1 && role != SpectrumType::Illuminant) {
+            const float v = lookup.Adjusted(lookup.Stored<float>(ctx));
+            return SampledSpectrum(role == SpectrumType::Albedo ? std::min(v, 1.f) : v);
+        }
+        RGB rgb = lookup.Stored<RGB>(ctx);
+        rgb = {lookup.Adjusted(rgb.r), lookup.Adjusted(rgb.g), lookup.Adjusted(rgb.b)};
+        const RGBColorSpace &space = lookup.image->ColorSpace();
+        if (role == SpectrumType::Unbounded) return space.SampleUnbounded(rgb, lambda);
+        if (role == SpectrumType::Illuminant) return space.SampleIlluminant(rgb, lambda);
+        rgb = {std::min(rgb.r, 1.f), std::min(rgb.g, 1.f), std::min(rgb.b, 1.f)};
+        return space.SampleAlbedo(rgb, lambda);
+    }
+    ImageLookup lookup;
+    SpectrumType role;
+};
+
+/// `encoding` as written; nullopt: as the file's kind says. Reports what it does not know.
+std::optional<ColorEncoding> GetEncoding(ParamDict &params) {
+    const std::string text = params.GetOneString("encoding", "");
+    if (text.empty()) return std::nullopt;
+    if (text == "sRGB") return ColorEncoding{ColorEncoding::Kind::sRGB, 1};
+    if (text == "linear") return ColorEncoding{ColorEncoding::Kind::Linear, 1};
+    if (text.starts_with("gamma ")) {
+        float gamma = 0;
+        const char *begin = text.data() + text.find_first_not_of(' ', 5);
+        const char *end = text.data() + text.size();
+        const auto [stop, error] = std::from_chars(begin, end, gamma);
+        if (error == std::errc() && stop == end && gamma > 0 && gamma < 100)
+            return ColorEncoding{ColorEncoding::Kind::Gamma, gamma};
+    }
+    params.Error("encoding",
+                 fmt::format("unknown encoding \"{}\"; expected \"sRGB\", \"linear\" or "
+                             "\"gamma x\" with a number x above 0 and below 100",
+                             text));
+    return std::nullopt;
+}
+
+/// The picture, from those already read where file, decoding and pyramid agree; nullptr after an
+/// error.
+std::shared_ptr<const MIPMap> GetImage(TextureBuilder &builder, bool pyramid) {
+    ParamDict &params = builder.params;
+    const std::string file = params.GetFileName("filename");
+    const std::optional<ColorEncoding> encoding = GetEncoding(params);
+    if (file.empty()) {
+        params.Error("filename", fmt::format("{} needs \"string filename\", a picture's file name",
+                                             params.What()));
+        return nullptr;
+    }
+    const std::string key =
+        fmt::format("{}|{}|{}", file,
+                    encoding ? fmt::format("{} {}", int(encoding->kind), encoding->gamma) : "",
+                    pyramid ? "pyramid" : "");
+    if (const auto known = builder.named.images.find(key); known != builder.named.images.end())
+        return known->second;
+
+    const OrError<Image> read = ReadImage(file, encoding);
+    std::shared_ptr<const MIPMap> map;
+    if (!read) {
+        params.Error("filename", read.error);
+    } else {
+        map = MIPMap::Create(
+            *read.value, encoding.value_or(ColorEncoding{ColorEncoding::Kind::sRGB, 1}), pyramid);
+        if (!map)
+            params.Error(
+                "filename",
+                fmt::format("\"{}\" has no channels R, G, B nor Y to make a texture of; it "
+                            "has {}",
+                            file, fmt::join(read.value->ChannelNames(), ", ")));
+    }
+    return builder.named.images[key] = map;
+}
+
+std::optional<ImageLookup> CreateLookup(TextureBuilder &builder) {
+    static constexpr std::array<std::string_view, 5> kFilters{"point", "bilinear", "trilinear",
+                                                              "ewa", "EWA"};
+    static constexpr std::array<std::string_view, 3> kWraps{"repeat", "black", "clamp"};
+    static constexpr NumberRow kAnisotropy{
+        "maxanisotropy", "", 8, 1, 1000, "longest over shortest axis of an EWA ellipse"};
+    ParamDict &params = builder.params;
+    ImageLookup lookup;
+    lookup.mapping = TextureMapping2D::Create(params, builder.textureFromRender);
+    const int filter = params.GetOneChoice("filter", kFilters[1], kFilters);
+    lookup.sampling.filter = TextureFilter(std::min(filter, int(TextureFilter::EWA)));
+    lookup.sampling.wrap = WrapMode(params.GetOneChoice("wrap", kWraps[0], kWraps));
+    lookup.sampling.maxAnisotropy = params.GetOneFloat(kAnisotropy);
+    lookup.scale = params.GetOneFloat("scale", 1);
+    lookup.invert = params.GetOneBool("invert", false);
+    lookup.image = GetImage(builder, lookup.sampling.NeedsPyramid());
+    if (!lookup.image) return std::nullopt;
+    return lookup;
+}
+
+}  // namespace
+
+FloatTexture ImageTexture::CreateFloat(TextureBuilder &builder) {
+    const std::optional<ImageLookup> lookup = CreateLookup(builder);
+    if (!lookup) return 1.f;
+    return FloatTexture(std::make_shared<FloatImage>(*lookup));
+}
+
+SpectrumByRole ImageTexture::CreateSpectrum(TextureBuilder &builder) {
+    const std::optional<ImageLookup> lookup = CreateLookup(builder);
+    SpectrumByRole made;
+    for (SpectrumType role : kSpectrumRoles) {
+        if (lookup)
+            made[size_t(role)] = SpectrumTexture(std::make_shared<SpectrumImage>(*lookup, role));
+        else
+            made[size_t(role)] = SpectrumTexture(Spectrum(1.f));
+    }
+    return made;
+}
+
+}  // namespace pbrt

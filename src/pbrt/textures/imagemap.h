@@ -1,0 +1,17 @@
+#pragma once
+
+#include "pbrt/textures/mapping2d.h"
+#include "pbrt/textures/mipmap.h"
+#include "pbrt/textures/texture_builder.h"
+
+namespace pbrt {
+
+/// A picture laid over the surface: s to the right, t upwards, both 0 to 1. Values are times
+/// `scale` and, with `invert`, taken from 1; never below 0, nor above 1 as an albedo.
+struct ImageTexture {
+    static constexpr std::string_view kName = "imagemap";
+    static FloatTexture CreateFloat(TextureBuilder &builder);
+    static SpectrumByRole CreateSpectrum(TextureBuilder &builder);
+};
+
+}  // namespace pbrt

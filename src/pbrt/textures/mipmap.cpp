@@ -1,0 +1,212 @@
+#include "pbrt/textures/mipmap.h"
+
+#include <optional>
+
+namespace pbrt {
+namespace {
+
+float MultiplyAdd(float sum, float w, float v) {
+    return sum + w * v;
+}
+RGB MultiplyAdd(RGB sum, float w, RGB v) {
+    return {sum.r + w * v.r, sum.g + w * v.g, sum.b + w * v.b};
+}
+
+/// Index inside [0, n), or -1 where the black surround begins.
+int Wrap(int i, int n, WrapMode wrap) {
+    if (unsigned(i) < unsigned(n)) return i;
+    if (wrap == WrapMode::Black) return -1;
+    if (wrap == WrapMode::Clamp) return i < 0 ? 0 : n - 1;
+    const int r = i % n;
+    return r < 0 ? r + n : r;
+}
+
+/// A coordinate with the same texel, small enough for int arithmetic.
+float Tame(float s, WrapMode wrap) {
+    return wrap == WrapMode::Repeat ? s - std::floor(s) : std::clamp(s, -64.f, 65.f);
+}
+Point2f Tame(Point2f st, WrapMode wrap) {
+    return {Tame(st.x, wrap), Tame(st.y, wrap)};
+}
+
+/// Channels that a texture reads; empty where the picture has no colour it knows.
+std::vector<int> ColorChannels(const Image &image) {
+    const int r = image.ChannelIndex("R"), g = image.ChannelIndex("G"), b = image.ChannelIndex("B");
+    if (r >= 0 && g >= 0 && b >= 0) return {r, g, b};
+    const int y = image.ChannelIndex("Y");
+    if (y >= 0) return {y};
+    if (image.NChannels() == 1) return {0};
+    return {};
+}
+
+/// The known colour space with these chromaticities, to the digits that files carry.
+const RGBColorSpace *KnownSpace(const std::array<std::array<float, 2>, 4> &xy) {
+    for (std::string_view name : RGBColorSpace::Names()) {
+        const RGBColorSpace *space = RGBColorSpace::Named(name);
+        float worst = 0;
+        for (size_t i = 0; i < 4; ++i)
+            for (size_t j = 0; j < 2; ++j)
+                worst = std::max(worst, std::abs(space->Chromaticities()[i][j] - xy[i][j]));
+        if (worst < 1e-3f) return space;
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+std::shared_ptr<const MIPMap> MIPMap::Create(const Image &image, const ColorEncoding &encoding,
+                                             bool pyramid) {
+    const std::vector<int> channels = ColorChannels(image);
+    const Point2i res = image.Resolution();
+    if (channels.empty() || res.x < 1 || res.y < 1) return nullptr;
+    std::vector<float> values;
+    values.reserve(size_t(res.x) * size_t(res.y) * channels.size());
+    for (int y = 0; y < res.y; ++y)
+        for (int x = 0; x < res.x; ++x)
+            for (int c : channels)
+                values.push_back(image.Get({x, y}, c));
+
+    auto map = std::make_shared<MIPMap>();
+    if (image.metadata.chromaticities)
+        if (const RGBColorSpace *space = KnownSpace(*image.metadata.chromaticities))
+            map->colorSpace = space;
+    map->levels.emplace_back(res, int(channels.size()), std::move(values));
+    map->levels[0].Compress(encoding);
+    while (pyramid && map->levels.back().Resolution() != Point2i{1, 1})
+        map->levels.push_back(map->levels.back().HalfSize());
+    return map;
+}
+
+size_t MIPMap::MemoryBytes() const {
+    size_t sum = 0;
+    for (const TexelGrid &level : levels)
+        sum += level.MemoryBytes();
+    return sum;
+}
+
+template <typename T>
+T MIPMap::Texel(int level, int x, int y, WrapMode wrap) const {
+    const TexelGrid &grid = levels[size_t(level)];
+    x = Wrap(x, grid.Resolution().x, wrap), y = Wrap(y, grid.Resolution().y, wrap);
+    return x < 0 || y < 0 ? T{} : grid.Get<T>(x, y);
+}
+
+template <typename T>
+T MIPMap::Nearest(Point2f st, WrapMode wrap) const {
+    const Point2i res = levels[0].Resolution();
+    st = Tame(st, wrap);
+    return Texel<T>(0, int(std::floor(st.x * float(res.x))), int(std::floor(st.y * float(res.y))),
+                    wrap);
+}
+
+template <typename T>
+T MIPMap::Bilinear(int level, Point2f st, WrapMode wrap) const {
+    const Point2i res = levels[size_t(level)].Resolution();
+    st = Tame(st, wrap);
+    const float x = st.x * float(res.x) - 0.5f, y = st.y * float(res.y) - 0.5f;
+    const float x0 = std::floor(x), y0 = std::floor(y);
+    const float dx = x - x0, dy = y - y0;
+    const int xi = int(x0), yi = int(y0);
+    T sum = MultiplyAdd(T{}, (1 - dx) * (1 - dy), Texel<T>(level, xi, yi, wrap));
+    sum = MultiplyAdd(sum, dx * (1 - dy), Texel<T>(level, xi + 1, yi, wrap));
+    sum = MultiplyAdd(sum, (1 - dx) * dy, Texel<T>(level, xi, yi + 1, wrap));
+    return MultiplyAdd(sum, dx * dy, Texel<T>(level, xi + 1, yi + 1, wrap));
+}
+
+template <typename T>
+T MIPMap::Trilinear(Point2f st, const Footprint &f, WrapMode wrap) const {
+    const Point2i res = levels[0].Resolution();
+    const float w = float(res.x), h = float(res.y);
+    const float width2 =
+        std::max(Sqr(f.dsdx * w) + Sqr(f.dtdx * h), Sqr(f.dsdy * w) + Sqr(f.dtdy * h));
+    if (!(width2 > 1)) return Bilinear<T>(0, st, wrap);
+    const float lod = 0.5f * std::log2(width2);
+    const int last = NLevels() - 1;
+    if (lod >= float(last)) return Bilinear<T>(last, st, wrap);
+    const int level = int(lod);
+    const float part = lod - float(level);
+    const T fine = MultiplyAdd(T{}, 1 - part, Bilinear<T>(level, st, wrap));
+    return MultiplyAdd(fine, part, Bilinear<T>(level + 1, st, wrap));
+}
+
+template <typename T>
+T MIPMap::Elliptical(Point2f st, const Footprint &f, const TextureSampling &sampling) const {
+    const Point2i res = levels[0].Resolution();
+    const float w = float(res.x), h = float(res.y);
+    const float x2 = Sqr(f.dsdx * w) + Sqr(f.dtdx * h), y2 = Sqr(f.dsdy * w) + Sqr(f.dtdy * h);
+    const bool xIsLong = x2 >= y2;
+    const float longest = std::sqrt(std::max(x2, y2)), shortest = std::sqrt(std::min(x2, y2));
+    if (!(longest > 0)) return Bilinear<T>(0, st, sampling.wrap);
+    const float wanted = longest / std::max(1.f, sampling.maxAnisotropy);
+    Footprint g = f;
+    if (shortest < wanted) {
+        // Too thin: the short axis becomes a vector of length `wanted` across the long one.
+        const float a = (xIsLong ? f.dsdx : f.dsdy) * w, b = (xIsLong ? f.dtdx : f.dtdy) * h;
+        const float k = wanted / longest;
+        (xIsLong ? g.dsdy : g.dsdx) = -b * k / w;
+        (xIsLong ? g.dtdy : g.dtdx) = a * k / h;
+    }
+    const float width = std::max(shortest, wanted);
+    if (!(width > 1)) return EllipseMean<T>(0, st, g, sampling.wrap);
+    const float lod = std::log2(width);
+    const int last = NLevels() - 1;
+    if (lod >= float(last)) return Bilinear<T>(last, st, sampling.wrap);
+    const int level = int(lod);
+    const float part = lod - float(level);
+    const T fine = MultiplyAdd(T{}, 1 - part, EllipseMean<T>(level, st, g, sampling.wrap));
+    return MultiplyAdd(fine, part, EllipseMean<T>(level + 1, st, g, sampling.wrap));
+}
+
+template <typename T>
+T MIPMap::EllipseMean(int level, Point2f st, const Footprint &f, WrapMode wrap) const {
+    const Point2i res = levels[size_t(level)].Resolution();
+    st = Tame(st, wrap);
+    const float cx = st.x * float(res.x) - 0.5f, cy = st.y * float(res.y) - 0.5f;
+    const float xs = f.dsdx * float(res.x), xt = f.dtdx * float(res.y);
+    const float ys = f.dsdy * float(res.x), yt = f.dtdy * float(res.y);
+    // Covariance-like matrix of the footprint plus the texel's own unit width; its inverse gives
+    // the squared radius of an offset, 1 on the ellipse.
+    const float m00 = Sqr(xs) + Sqr(ys) + 1, m11 = Sqr(xt) + Sqr(yt) + 1, m01 = xs * xt + ys * yt;
+    const float invDet = 1 / (m00 * m11 - Sqr(m01));
+    const float q00 = m11 * invDet, q11 = m00 * invDet, q01 = -2 * m01 * invDet;
+    // The ellipse's extent along the axes is the root of the diagonal.
+    const float rx = std::sqrt(m00), ry = std::sqrt(m11);
+    const int x0 = int(std::ceil(cx - rx)), x1 = int(std::floor(cx + rx));
+    const int y0 = int(std::ceil(cy - ry)), y1 = int(std::floor(cy + ry));
+    constexpr float kSharpness = 2;
+    const float edge = std::exp(-kSharpness);
+    T sum{};
+    float weights = 0;
+    for (int y = y0; y <= y1; ++y) {
+        for (int x = x0; x <= x1; ++x) {
+            const float dx = float(x) - cx, dy = float(y) - cy;
+            const float r2 = q00 * Sqr(dx) + q01 * dx * dy + q11 * Sqr(dy);
+            if (r2 >= 1) continue;
+            const float weight = std::exp(-kSharpness * r2) - edge;
+            sum = MultiplyAdd(sum, weight, Texel<T>(level, x, y, wrap));
+            weights += weight;
+        }
+    }
+    // A unit circle about any point holds a texel's centre, so there is always one.
+    return MultiplyAdd(T{}, 1 / weights, sum);
+}
+
+template <typename T>
+T MIPMap::Lookup(Point2f st, const Footprint &footprint, const TextureSampling &sampling) const {
+    switch (sampling.filter) {
+        case TextureFilter::Point:
+            return Nearest<T>(st, sampling.wrap);
+        case TextureFilter::Bilinear:
+            return Bilinear<T>(0, st, sampling.wrap);
+        case TextureFilter::Trilinear:
+            return Trilinear<T>(st, footprint, sampling.wrap);
+        case TextureFilter::EWA:
+            return Elliptical<T>(st, footprint, sampling);
+    }
+    return T{};
+}
+
+template float MIPMap::Lookup(Point2f, const Footprint &, const TextureSampling &) const;
+template RGB MIPMap::Lookup(Point2f, const Footprint &, const TextureSampling &) const;
+
+}  // namespace pbrt

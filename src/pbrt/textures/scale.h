@@ -1,0 +1,17 @@
+#pragma once
+
+#include "pbrt/textures/texture_builder.h"
+
+namespace pbrt {
+
+/// `tex` times `scale`. Constants are multiplied when built.
+struct ScaleTexture {
+    static constexpr std::string_view kName = "scale";
+    static FloatTexture CreateFloat(TextureBuilder &builder);
+    static SpectrumByRole CreateSpectrum(TextureBuilder &builder);
+};
+
+FloatTexture Scaled(const FloatTexture &texture, const FloatTexture &scale);
+SpectrumTexture Scaled(const SpectrumTexture &texture, const FloatTexture &scale);
+
+}  // namespace pbrt

@@ -1,0 +1,121 @@
+#include "pbrt/textures/texture.h"
+
+#include <fmt/format.h>
+
+#include "pbrt/textures/texture_builder.h"
+
+namespace pbrt {
+namespace {
+
+template <typename Map>
+std::string NearestIn(const Map &textures, std::string_view name) {
+    std::vector<std::string_view> names;
+    for (const auto &entry : textures)
+        names.push_back(entry.first);
+    return DidYouMean(name, names);
+}
+
+/// Reports why no texture of this name can be used for `parameter`.
+void ReportUnknown(ParamDict &params, const NamedTextures &named, std::string_view parameter,
+                   const std::string &name, bool wantsFloat) {
+    // Unbounded is the one role that every spectrum texture has.
+    const bool isFloat = named.floats.contains(name), isSpectrum = named.unboundeds.contains(name);
+    std::string why;
+    if (wantsFloat && isSpectrum)
+        why = fmt::format("\"{}\" wants a float texture, but \"{}\" is a spectrum texture",
+                          parameter, name);
+    else if (!wantsFloat && isSpectrum)
+        why =
+            fmt::format("\"{}\" wants values in [0, 1], but texture \"{}\" has RGB values above 1",
+                        parameter, name);
+    else if (!wantsFloat && isFloat)
+        why = fmt::format("\"{}\" wants a spectrum texture, but \"{}\" is a float texture",
+                          parameter, name);
+    else
+        why = fmt::format(
+            "no {} texture \"{}\" is defined before its use here{}",
+            wantsFloat ? "float" : "spectrum", name,
+            wantsFloat ? NearestIn(named.floats, name) : NearestIn(named.unboundeds, name));
+    params.Error(parameter, why);
+}
+
+/// Where `"texture name"` was given: the texture, or `fallback` after an error.
+template <typename Texture>
+std::optional<Texture> FindNamed(ParamDict &params, const NamedTextures &named,
+                                 const std::map<std::string, Texture> &textures,
+                                 std::string_view parameter, bool wantsFloat,
+                                 const Texture &fallback) {
+    const std::optional<std::string> name = params.GetTexture(parameter);
+    if (!name) return std::nullopt;
+    const auto found = textures.find(*name);
+    if (found != textures.end()) return found->second;
+    ReportUnknown(params, named, parameter, *name, wantsFloat);
+    return fallback;
+}
+
+}  // namespace
+
+FloatTexture GetFloatTexture(ParamDict &params, const NamedTextures &named, const NumberRow &row) {
+    std::optional<FloatTexture> texture =
+        FindNamed(params, named, named.floats, row.name, true, FloatTexture(row.def));
+    if (!texture) return params.GetOneFloat(row);
+    if (texture->IsConstant() &&
+        !(texture->Constant() >= row.lo && texture->Constant() <= row.hi)) {
+        params.Error(
+            row.name,
+            fmt::format("\"{}\" must lie in [{}, {}]{}{}, but its texture is {} everywhere",
+                        row.name, row.lo, row.hi, row.unit.empty() ? "" : " ", row.unit,
+                        texture->Constant()));
+        return row.def;
+    }
+    return *texture;
+}
+
+FloatTexture GetFloatTexture(ParamDict &params, const NamedTextures &named, std::string_view name,
+                             float def) {
+    return FindFloatTexture(params, named, name).value_or(FloatTexture(def));
+}
+
+std::optional<FloatTexture> FindFloatTexture(ParamDict &params, const NamedTextures &named,
+                                             std::string_view name) {
+    std::optional<FloatTexture> texture =
+        FindNamed(params, named, named.floats, name, true, FloatTexture(0.f));
+    if (texture) return texture;
+    const bool given = params.Has(name, "float");
+    const float value = params.GetOneFloat(name, 0);
+    return given ? std::optional<FloatTexture>(value) : std::nullopt;
+}
+
+std::optional<SpectrumTexture> FindSpectrumTexture(ParamDict &params, const NamedTextures &named,
+                                                   std::string_view name, SpectrumType role) {
+    std::optional<SpectrumTexture> texture =
+        FindNamed(params, named, named.Spectra(role), name, false, SpectrumTexture(Spectrum(0.5f)));
+    if (texture) return texture;
+    std::optional<Spectrum> value = params.GetOneSpectrum(name, role);
+    if (!value) return std::nullopt;
+    return SpectrumTexture(std::move(*value));
+}
+
+SpectrumByRole TextureBuilder::Spectra(std::string_view name, float def) {
+    SpectrumByRole made;
+    if (const std::optional<std::string> texture = params.GetTexture(name)) {
+        for (SpectrumType role : kSpectrumRoles) {
+            const auto &known = named.Spectra(role);
+            if (const auto found = known.find(*texture); found != known.end())
+                made[size_t(role)] = found->second;
+        }
+        if (!made[size_t(SpectrumType::Unbounded)]) {
+            ReportUnknown(params, named, name, *texture, false);
+            made.fill(SpectrumTexture(Spectrum(def)));
+        }
+        return made;
+    }
+    const std::optional<RGB> rgb = params.GetOneRGB(name);
+    for (SpectrumType role : kSpectrumRoles) {
+        if (role == SpectrumType::Albedo && rgb && rgb->Max() > 1) continue;
+        made[size_t(role)] = params.GetOneSpectrum(name, role).value_or(Spectrum(def));
+    }
+    return made;
+}
+
+}  // namespace pbrt

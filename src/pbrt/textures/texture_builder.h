@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "pbrt/textures/texture.h"
+#include "pbrt/util/transform.h"
+
+namespace pbrt {
+
+/// One spectrum texture in its roles, indexed by SpectrumType. Empty where RGB values above 1
+/// forbid the role of albedo.
+using SpectrumByRole = std::array<std::optional<SpectrumTexture>, 3>;
+inline constexpr std::array<SpectrumType, 3> kSpectrumRoles{
+    SpectrumType::Albedo, SpectrumType::Unbounded, SpectrumType::Illuminant};
+
+/// What a texture class needs to make one texture: its parameters, the textures defined before,
+/// and where it stands.
+struct TextureBuilder {
+    ParamDict &params;
+    NamedTextures &named;
+    Transform textureFromRender;
+
+    FloatTexture Float(std::string_view name, float def) {
+        return GetFloatTexture(params, named, name, def);
+    }
+    /// The parameter in every role; `def` where not given.
+    SpectrumByRole Spectra(std::string_view name, float def);
+};
+
+/// A texture class as the scene language knows it. New classes: a header with a struct of these
+/// three members, and its line in texture_classes.cpp.
+struct TextureClass {
+    std::string_view name;
+    FloatTexture (*createFloat)(TextureBuilder &);
+    SpectrumByRole (*createSpectrum)(TextureBuilder &);
+};
+
+/// Makes role r's texture from role r's operands where all of them exist.
+template <typename Make>
+SpectrumByRole ForEachRole(const SpectrumByRole &a, const SpectrumByRole &b, Make make) {
+    SpectrumByRole made;
+    for (size_t i = 0; i < made.size(); ++i)
+        if (a[i] && b[i]) made[i] = make(*a[i], *b[i]);
+    return made;
+}
+
+}  // namespace pbrt
