@@ -51,7 +51,8 @@ TEST(PiecewiseConstant2D, DensityInverseAndIntegral) {
             EXPECT_NEAR(dist.Invert(s.p).y, u.y, 1e-6);
         }
     }
-    for (size_t i = 0; i < f.size(); ++i) EXPECT_NEAR(share[i], f[i] / 21.f, 2.0 / n);
+    for (size_t i = 0; i < f.size(); ++i)
+        EXPECT_NEAR(share[i], f[i] / 21.f, 2.0 / n);
 }
 
 }  // namespace

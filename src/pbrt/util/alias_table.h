@@ -54,7 +54,8 @@ inline AliasTable::AliasTable(std::span<const float> weights) {
         sum += w;
     }
     bins.resize(n);
-    // Content of each slot in units of the mean: slots with less are filled up from those with more.
+    // Content of each slot in units of the mean: slots with less are filled up from those with
+    // more.
     std::vector<double> content(n);
     std::vector<int> poor, rich;
     for (size_t i = 0; i < n; ++i) {

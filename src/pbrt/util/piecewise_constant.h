@@ -41,7 +41,9 @@ inline float PlaceInStep(std::span<const float> cdf, int i, float u) {
     return width > 0 ? (u - cdf[size_t(i)]) / width : 0;
 }
 
-inline int StepAt(float x, int n) { return std::clamp(int(x * float(n)), 0, n - 1); }
+inline int StepAt(float x, int n) {
+    return std::clamp(int(x * float(n)), 0, n - 1);
+}
 
 /// The cdf at x in [0, 1].
 inline float CdfAt(std::span<const float> cdf, float x) {
@@ -64,7 +66,8 @@ class PiecewiseConstant1D {
     explicit PiecewiseConstant1D(std::span<const float> f)
         : density(f.begin(), f.end()), cdf(f.size() + 1) {
         integral = float(detail::FillCdf(f, cdf));
-        for (float &d : density) d = integral > 0 ? d / integral : 1;
+        for (float &d : density)
+            d = integral > 0 ? d / integral : 1;
     }
 
     /// u in [0, 1); monotonic in u.
@@ -107,9 +110,7 @@ class PiecewiseConstant2D {
         const float x = (float(i) + detail::PlaceInStep(cdf, i, u.x)) / float(nu);
         return {{std::min(x, OneMinusEpsilon), row.x}, Density(i, row.step), {i, row.step}};
     }
-    float PDF(Point2f p) const {
-        return Density(detail::StepAt(p.x, nu), detail::StepAt(p.y, nv));
-    }
+    float PDF(Point2f p) const { return Density(detail::StepAt(p.x, nu), detail::StepAt(p.y, nv)); }
     /// The u that Draw turns into p.
     Point2f Invert(Point2f p) const {
         return {detail::CdfAt(RowCdf(detail::StepAt(p.y, nv)), p.x), rows.Invert(p.y)};
@@ -138,13 +139,14 @@ inline PiecewiseConstant2D::PiecewiseConstant2D(std::span<const float> f, int nu
     std::vector<float> rowIntegrals(static_cast<size_t>(nv));
     for (int v = 0; v < nv; ++v) {
         const size_t row = size_t(v);
-        rowIntegrals[row] = float(detail::FillCdf(
-            f.subspan(row * size_t(nu), size_t(nu)),
-            std::span(cdfs).subspan(row * size_t(nu + 1), size_t(nu + 1))));
+        rowIntegrals[row] =
+            float(detail::FillCdf(f.subspan(row * size_t(nu), size_t(nu)),
+                                  std::span(cdfs).subspan(row * size_t(nu + 1), size_t(nu + 1))));
     }
     rows = PiecewiseConstant1D(rowIntegrals);
     const float integral = rows.Integral();
-    for (float &d : density) d = integral > 0 ? d / integral : 1;
+    for (float &d : density)
+        d = integral > 0 ? d / integral : 1;
 }
 
 }  // namespace pbrt

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "pbrt/util/vecmath.h"
+
+namespace pbrt {
+
+/// c0 + c1 x + c2 x^2 + ... by Horner's rule.
+template <typename T, typename... Cs>
+constexpr T EvaluatePolynomial(T x, T c, Cs... rest) {
+    if constexpr (sizeof...(rest) == 0)
+        return c;
+    else
+        return c + x * EvaluatePolynomial(x, rest...);
+}
+
+inline float SafeASin(float x) {
+    return std::asin(std::clamp(x, -1.f, 1.f));
+}
+
+/// a b - c d with an error of about 1.5 ulp, where the plain form may cancel (Kahan; Jeannerod,
+/// Louvet, Muller 2013).
+inline float DifferenceOfProducts(float a, float b, float c, float d) {
+    const float cd = c * d;
+    const float error = std::fma(-c, d, cd);
+    return std::fma(a, b, -cd) + error;
+}
+
+struct SinCos {
+    float sin, cos;
+};
+
+/// Sine and cosine of `turns` times 2 pi, |turns| <= 2^20. Absolute error below 1.5e-7.
+/// By hand because sampling warps want turns, where the reduction is exact, and need no more:
+/// a third of the time of sinf and cosf. Polynomials in r^2: own minimax fit on |r| <= 1/2.
+inline SinCos SinCosTurns(float turns) {
+    const float quarter = std::floor(4 * turns + 0.5f);
+    const float r = 4 * turns - quarter, s = r * r;
+    const float sin =
+        r * EvaluatePolynomial(s, 1.57079632f, -0.645963479f, 0.0796802281f, -0.00460217700f);
+    const float cos =
+        1 + s * EvaluatePolynomial(s, -1.23370055f, 0.253669410f, -0.0208615297f, 0.000906743541f);
+    const int q = int(quarter);
+    const float sinPart = (q & 1) ? cos : sin, cosPart = (q & 1) ? sin : cos;
+    return {(q & 2) ? -sinPart : sinPart, ((q + 1) & 2) ? -cosPart : cosPart};
+}
+
+/// Bits 0 to 15 of x moved to the even places.
+constexpr uint32_t SpreadBits(uint32_t x) {
+    x = (x | (x << 8)) & 0x00ff00ff;
+    x = (x | (x << 4)) & 0x0f0f0f0f;
+    x = (x | (x << 2)) & 0x33333333;
+    return (x | (x << 1)) & 0x55555555;
+}
+/// Morton code: the bits of x and y (16 each) in turns, x lowest.
+constexpr uint32_t EncodeMorton2(uint32_t x, uint32_t y) {
+    return SpreadBits(x & 0xffff) | (SpreadBits(y & 0xffff) << 1);
+}
+
+/// Bits in reverse order.
+constexpr uint32_t ReverseBits32(uint32_t x) {
+    x = (x << 16) | (x >> 16);
+    x = ((x & 0x00ff00ff) << 8) | ((x >> 8) & 0x00ff00ff);
+    x = ((x & 0x0f0f0f0f) << 4) | ((x >> 4) & 0x0f0f0f0f);
+    x = ((x & 0x33333333) << 2) | ((x >> 2) & 0x33333333);
+    return ((x & 0x55555555) << 1) | ((x >> 1) & 0x55555555);
+}
+
+}  // namespace pbrt
