@@ -66,6 +66,13 @@ std::string DidYouMean(std::string_view name, std::span<const std::string_view> 
     return nearest.empty() ? std::string() : fmt::format("; did you mean \"{}\"?", nearest);
 }
 
+std::string UnknownName(std::string_view kind, std::string_view name,
+                        std::span<const std::string_view> known) {
+    const std::string hint = DidYouMean(name, known);
+    return fmt::format("unknown {} \"{}\"{} Known: {}", kind, name, hint.empty() ? "." : hint,
+                       QuotedList(known));
+}
+
 std::string QuotedList(std::span<const std::string_view> names) {
     std::string list;
     for (size_t i = 0; i < names.size(); ++i) {

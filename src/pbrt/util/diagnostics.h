@@ -12,6 +12,7 @@ namespace pbrt {
 struct FileLoc {
     std::string_view file;
     int line = 0, column = 0;
+    bool operator==(const FileLoc &) const = default;
 };
 
 enum class Severity { Warning, Error };
@@ -41,6 +42,9 @@ class Diagnostics {
 std::string_view NearestName(std::string_view name, std::span<const std::string_view> candidates);
 /// `; did you mean "x"?` or nothing.
 std::string DidYouMean(std::string_view name, std::span<const std::string_view> candidates);
+/// `unknown KIND "name"; did you mean "x"? Known: "a", "b" or "c"`.
+std::string UnknownName(std::string_view kind, std::string_view name,
+                        std::span<const std::string_view> known);
 /// "a", "b" or "c" - for messages that list what is allowed.
 std::string QuotedList(std::span<const std::string_view> names);
 

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "pbrt/bxdfs/bxdf.h"
+#include "pbrt/feather/barbule.h"
+
+namespace pbrt {
+
+/// Thin adapter of feather::Barbule to the renderer's conventions; all mathematics is there.
+/// Local frame: z the normal, y along the barbules, x across them; lives on both sides.
+class FeatherBarbuleBxDF {
+  public:
+    using Model = feather::Barbule<float, NSpectrumSamples>;
+
+    explicit FeatherBarbuleBxDF(const Model &barbule) : barbule(barbule) {}
+
+    BxDFFlags Flags() const {
+        return BxDFFlags::Reflection | BxDFFlags::Transmission | BxDFFlags::Glossy |
+               BxDFFlags::Diffuse;
+    }
+    SampledSpectrum f(Vector3f wo, Vector3f wi, TransportMode) const {
+        return SampledSpectrum(barbule.f(barbule.SeenFrom(Local(wo)), Local(wi)));
+    }
+    float PDF(Vector3f wo, Vector3f wi, TransportMode) const {
+        return barbule.Pdf(barbule.SeenFrom(Local(wo)), Local(wi));
+    }
+    std::optional<BSDFSample> Sample_f(Vector3f wo, float uc, Point2f u, TransportMode) const {
+        const auto s = barbule.Sample_f(barbule.SeenFrom(Local(wo)), uc, u.x, u.y);
+        if (!s) return {};
+        const Vector3f wi{s->wi.x, s->wi.y, s->wi.z};
+        const BxDFFlags side =
+            SameHemisphere(wo, wi) ? BxDFFlags::Reflection : BxDFFlags::Transmission;
+        return BSDFSample{SampledSpectrum(s->f), wi, s->pdf,
+                          s->isGap ? BxDFFlags::Transmission | BxDFFlags::Specular | BxDFFlags::Gap
+                                   : side | BxDFFlags::Glossy};
+    }
+    /// Fraction of light from w that passes straight through.
+    float GapFraction(Vector3f w) const { return barbule.GapFraction(Local(w)); }
+    /// Nothing here is sharper than the opening makes it.
+    void Regularize() {}
+
+  private:
+    static feather::Direction<float> Local(Vector3f w) { return {w.x, w.y, w.z}; }
+    Model barbule;
+};
+static_assert(BxDFModel<FeatherBarbuleBxDF>);
+
+}  // namespace pbrt

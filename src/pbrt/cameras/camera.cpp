@@ -1,0 +1,114 @@
+#include "pbrt/cameras/camera.h"
+
+#include <fmt/format.h>
+
+namespace pbrt {
+namespace {
+
+constexpr std::array<std::string_view, 2> kNames{"perspective", "orthographic"};
+constexpr NumberRow kFov{"fov", "deg", 90, 1e-3f, 179.9f, "field of view of the shorter axis"};
+constexpr NumberRow kLensRadius{"lensradius", "", 0, 0, 1e30f, "radius of the thin lens"};
+constexpr NumberRow kFocalDistance{"focaldistance", "", 1e6f, 1e-30f, 1e30f,
+                                   "distance of the plane in focus"};
+constexpr NumberRow kAspect{"frameaspectratio", "", 1, 1e-6f, 1e6f, "width over height"};
+constexpr NumberRow kShutterOpen{"shutteropen", "", 0, -1e30f, 1e30f, "time"};
+constexpr NumberRow kShutterClose{"shutterclose", "", 1, -1e30f, 1e30f, "time"};
+
+struct ScreenWindow {
+    float x0, x1, y0, y1;
+};
+
+ScreenWindow ReadScreenWindow(ParamDict &params, Point2i resolution) {
+    NumberRow row = kAspect;
+    row.def = float(resolution.x) / resolution.y;
+    const float aspect = params.GetOneFloat(row);
+    ScreenWindow w = aspect > 1 ? ScreenWindow{-aspect, aspect, -1, 1}
+                                : ScreenWindow{-1, 1, -1 / aspect, 1 / aspect};
+    const std::vector<float> given = params.GetFloatArray("screenwindow");
+    if (given.empty()) return w;
+    if (given.size() != 4 || given[0] >= given[1] || given[2] >= given[3])
+        params.Error("screenwindow", "\"screenwindow\" needs four values: xmin xmax ymin ymax");
+    else
+        w = {given[0], given[1], given[2], given[3]};
+    return w;
+}
+
+Transform RenderFromCamera(const Transform &worldFromCamera, std::string_view space) {
+    if (space == "camera") return {};
+    if (space == "world") return worldFromCamera;
+    const Point3f eye = worldFromCamera.Point({0, 0, 0});
+    return Transform::Translate(-eye) * worldFromCamera;
+}
+
+}  // namespace
+
+Camera Camera::Create(const Description &scene, Point2i resolution, Diagnostics &log) {
+    const std::string type = scene.camera.type.empty() ? "perspective" : scene.camera.type;
+    ParamDict params(scene.camera.params, scene.camera.loc, fmt::format("camera \"{}\"", type),
+                     scene.camera.colorSpace, &log, scene.dir);
+    Camera c;
+    const bool orthographic = type == kNames[1];
+    if (!orthographic && type != kNames[0]) {
+        params.Error(UnknownName("camera", type, kNames));
+        return c;
+    }
+    if (!(scene.cameraFromWorld[0] == scene.cameraFromWorld[1]))
+        params.Error("moving cameras are not supported");
+
+    const ScreenWindow window = ReadScreenWindow(params, resolution);
+    const float fov = orthographic ? 90 : params.GetOneFloat(kFov);
+    c.lensRadius = params.GetOneFloat(kLensRadius);
+    c.focalDistance = params.GetOneFloat(kFocalDistance);
+    c.shutterOpen = params.GetOneFloat(kShutterOpen);
+    c.shutterClose = params.GetOneFloat(kShutterClose);
+    if (!(c.shutterClose > c.shutterOpen))
+        params.Error("shutterclose", "\"shutterclose\" must be later than \"shutteropen\"");
+    params.ReportUnused();
+
+    c.cameraFromWorld = scene.cameraFromWorld[0];
+    const Transform worldFromCamera = c.cameraFromWorld.Inverse();
+    c.renderFromCamera = pbrt::RenderFromCamera(worldFromCamera, scene.options.renderCoordSys);
+    c.renderFromWorld = c.renderFromCamera * c.cameraFromWorld;
+
+    // Film (0, 0) is the screen's upper left corner.
+    const float perX = (window.x1 - window.x0) / resolution.x,
+                perY = (window.y1 - window.y0) / resolution.y;
+    const float scale = orthographic ? 1 : std::tan(Radians(fov) / 2);
+    const Vector3f corner{window.x0 * scale, window.y1 * scale, 0};
+    const Vector3f stepX{perX * scale, 0, 0}, stepY{0, -perY * scale, 0}, axis{0, 0, 1};
+    const auto point = [&](Point3f p) { return c.renderFromCamera.Point(p); };
+    const auto vector = [&](Vector3f v) { return c.renderFromCamera.Vector(v); };
+    c.origin = point(orthographic ? corner : Point3f{});
+    c.direction = vector(orthographic ? axis : corner + axis);
+    (orthographic ? c.originPerX : c.directionPerX) = vector(stepX);
+    (orthographic ? c.originPerY : c.directionPerY) = vector(stepY);
+    c.right = vector({1, 0, 0}), c.up = vector({0, 1, 0});
+    // Distance along the axis of a direction: exact also where the camera's transform scales.
+    c.forward = vector(axis) / LengthSquared(vector(axis));
+    c.pixelAngle = orthographic ? 0 : perX * scale;
+    c.pixelSize = orthographic ? perX : 0;
+
+    const Transform screen = orthographic ? Transform() : Transform::Perspective(fov, 1e-2f, 1000);
+    const Transform ndc =
+        Transform::Scale({1 / (window.x1 - window.x0), -1 / (window.y1 - window.y0), 1})
+            .value_or(Transform()) *
+        Transform::Translate({-window.x0, -window.y1, 0});
+    c.ndcFromWorld = ndc * screen * c.cameraFromWorld;
+    return c;
+}
+
+void Camera::ApproximateStep(Point3f p, Normal3f n, float scale, Vector3f *dpdx,
+                             Vector3f *dpdy) const {
+    const Point3f eye = renderFromCamera.Point({0, 0, 0});
+    const float step = scale * (pixelAngle * Length(p - eye) + pixelSize);
+    // A square of that size facing the camera, projected along the view onto the tangent plane.
+    const Vector3f view = pixelAngle > 0 ? Normalize(p - eye) : Normalize(forward);
+    const float cosine = Dot(n, view);
+    const float safe = std::copysign(std::max(std::abs(cosine), 0.05f), cosine);
+    const auto project = [&](Vector3f v) { return v - view * (Dot(n, v) / safe); };
+    const Frame frame = Frame::FromZTangent(view, right);
+    *dpdx = step * project(frame.x);
+    *dpdy = step * project(frame.y);
+}
+
+}  // namespace pbrt

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <optional>
+
+#include "pbrt/scene/description.h"
+#include "pbrt/util/sampling.h"
+#include "pbrt/util/transform.h"
+
+namespace pbrt {
+
+/// Pinhole or thin-lens camera, perspective or orthographic, at rest.
+///
+/// Rays start in rendering space, which is chosen here (PBRT_FORMAT 3.1, render-coord-sys):
+/// world axes with the camera at the origin ("cameraworld"), "camera" or "world".
+class Camera {
+  public:
+    /// Errors go to the log; the camera is usable all the same. `resolution` of the full film.
+    static Camera Create(const Description &scene, Point2i resolution, Diagnostics &log);
+
+    /// `film` in pixels of the full picture, `lens` and `time` in [0, 1). d is unit.
+    Ray GenerateRay(Point2f film, Point2f lens, float time) const {
+        Point3f o = origin + film.x * originPerX + film.y * originPerY;
+        Vector3f d = direction + film.x * directionPerX + film.y * directionPerY;
+        if (lensRadius > 0) {
+            const Point3f focus = o + (focalDistance / DotAxis(d)) * d;
+            const Point2f l = SampleUniformDiskConcentric(lens);
+            o = o + lensRadius * (l.x * right + l.y * up);
+            d = focus - o;
+        }
+        return {o, Normalize(d), Infinity, shutterOpen + time * (shutterClose - shutterOpen)};
+    }
+    const Transform &RenderFromWorld() const { return renderFromWorld; }
+    const Transform &RenderFromCamera() const { return renderFromCamera; }
+    const Transform &CameraFromWorld() const { return cameraFromWorld; }
+    /// Screen window and field of view, as 4 x 4 map from world to [0, 1]^2 x depth: for metadata.
+    const Transform &NDCFromWorld() const { return ndcFromWorld; }
+
+    /// Steps of a surface point per pixel in x and y, for texture filtering: the tangent-plane
+    /// intersections of the neighbouring pixels' rays, taken from the film's centre.
+    void ApproximateStep(Point3f p, Normal3f n, float scale, Vector3f *dpdx, Vector3f *dpdy) const;
+
+    bool HasLens() const { return lensRadius > 0; }
+    float ShutterOpen() const { return shutterOpen; }
+    float ShutterClose() const { return shutterClose; }
+
+  private:
+    float DotAxis(Vector3f d) const { return Dot(d, forward); }
+
+    // Affine in film position: origin and direction at (0, 0) and their change per pixel.
+    Point3f origin;
+    Vector3f originPerX, originPerY, direction, directionPerX, directionPerY;
+    Vector3f right, up, forward;
+    float lensRadius = 0, focalDistance = 1e6f, shutterOpen = 0, shutterClose = 1;
+    float pixelAngle = 0;  ///< steps per unit distance, perspective
+    float pixelSize = 0;   ///< steps, orthographic
+    Transform renderFromWorld, renderFromCamera, cameraFromWorld, ndcFromWorld;
+};
+
+}  // namespace pbrt

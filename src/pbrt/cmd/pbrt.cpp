@@ -1,0 +1,200 @@
+// pbrt: renders scene files.
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <csignal>
+#include <filesystem>
+
+#include "pbrt/cpu/build.h"
+#include "pbrt/cpu/progress.h"
+#include "pbrt/cpu/render.h"
+#include "pbrt/util/args.h"
+#include "pbrt/util/atomic_file.h"
+
+namespace pbrt {
+namespace {
+
+constexpr int kSuccess = 0, kUserError = 1, kInterrupted = 130;
+
+// A signal handler can reach nothing else.
+volatile std::sig_atomic_t interrupted = 0;
+
+struct Arguments {
+    std::vector<std::string> files;
+    Overrides overrides;
+    Options options;
+    bool stats = false, quiet = false;
+};
+
+/// Defines the options of the command line; they write into `a`.
+void DefineOptions(CLI::App &app, Arguments &a, std::vector<float> &crop, std::vector<int> &bounds,
+                   std::vector<int> &pixel, int &spp) {
+    app.add_option("files", a.files, "scene files, in order; none: standard input");
+    app.add_option("--outfile", a.overrides.film.outfile, "picture to write (.exr, .png, .pfm)");
+    app.add_option("--spp", spp, "samples per pixel")->check(CLI::PositiveNumber);
+    app.add_option("--nthreads", a.overrides.nThreads, "threads; default: all cores")
+        ->check(CLI::PositiveNumber);
+    app.add_option("--seed", a.options.seed, "of the samplers");
+    app.add_option("--cropwindow", crop, "x0,x1,y0,y1 in [0, 1]")->delimiter(',')->expected(4);
+    app.add_option("--pixelbounds", bounds, "x0,x1,y0,y1 in pixels")->delimiter(',')->expected(4);
+    app.add_option("--pixel", pixel, "x,y: this pixel only")->delimiter(',')->expected(2);
+    app.add_option("--render-coord-sys", a.options.renderCoordSys, "space to render in")
+        ->check(CLI::IsMember({"camera", "cameraworld", "world"}));
+    app.add_flag("--quick", a.overrides.film.quick, "a quarter of the resolution, one sample");
+    app.add_flag("--disable-pixel-jitter", a.options.disablePixelJitter, "pixel centres only");
+    app.add_flag("--disable-wavelength-jitter", a.options.disableWavelengthJitter,
+                 "the same wavelengths for every path");
+    app.add_flag("--disable-texture-filtering", a.options.disableTextureFiltering,
+                 "point-sampled textures");
+    app.add_flag("--stats", a.stats, "print rays per second, memory and times");
+    app.add_flag("--quiet", a.quiet, "no progress, no warnings");
+    app.set_version_flag("--version", "pbrt-feather " PBRT_VERSION);
+}
+
+struct ParsedArguments {
+    Arguments arguments;
+    std::optional<int> exitCode;
+};
+
+ParsedArguments ParseArguments(int argc, char **argv) {
+    ParsedArguments result;
+    Arguments &a = result.arguments;
+    CLI::App app{"pbrt-feather: a spectral path tracer for iridescent feathers"};
+    std::vector<float> crop;
+    std::vector<int> bounds, pixel;
+    int spp = 0;
+    DefineOptions(app, a, crop, bounds, pixel, spp);
+    NormalizedArgs normal =
+        NormalizeArgs(std::vector<std::string>(argv + 1, argv + argc), ArgOptionsOf(app));
+    if (!normal.error.empty()) {
+        fmt::print(stderr, "pbrt: {}\nRun pbrt --help for the list of options.\n", normal.error);
+        result.exitCode = kUserError;
+        return result;
+    }
+    std::reverse(normal.args.begin(), normal.args.end());  // CLI11 takes them from the back
+    try {
+        app.parse(normal.args);
+    } catch (const CLI::Success &e) {
+        app.exit(e);
+        result.exitCode = kSuccess;
+        return result;
+    } catch (const CLI::ParseError &e) {
+        fmt::print(stderr, "pbrt: {}\nRun pbrt --help for the list of options.\n", e.what());
+        result.exitCode = kUserError;
+        return result;
+    }
+    if (spp > 0) a.overrides.spp = spp;
+    if (!crop.empty()) a.overrides.film.cropWindow = {crop[0], crop[1], crop[2], crop[3]};
+    if (!bounds.empty()) a.overrides.film.pixelBounds = {bounds[0], bounds[1], bounds[2], bounds[3]};
+    if (!pixel.empty())
+        a.overrides.film.pixelBounds = {pixel[0], pixel[0] + 1, pixel[1], pixel[1] + 1};
+    return result;
+}
+
+void Print(const Diagnostics &log, bool quiet) {
+    const bool color = isatty(STDERR_FILENO) != 0;
+    for (const Message &m : log.Messages()) {
+        const bool error = m.severity == Severity::Error;
+        if (quiet && !error) continue;
+        fmt::print(stderr, "{}{}{}: {}\n", color ? (error ? "\033[1;31m" : "\033[1;33m") : "",
+                   error ? "Error" : "Warning", color ? "\033[0m" : "", m.text);
+    }
+}
+
+double Seconds(std::chrono::steady_clock::time_point since) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
+}
+
+struct Times {
+    double parse = 0, build = 0;
+};
+
+void PrintStats(const World &world, const RenderStats &stats, const Times &times) {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    const int64_t rays = stats.rays.closest + stats.rays.shadow;
+    fmt::print("Parse          {:10.3f} s\nBuild          {:10.3f} s\nRender         {:10.3f} s\n",
+               times.parse, times.build, stats.seconds);
+    fmt::print("Camera samples {:10.3f} M   {:8.3f} M/s\n", stats.cameraSamples * 1e-6,
+               stats.cameraSamples * 1e-6 / stats.seconds);
+    fmt::print("Rays           {:10.3f} M   {:8.3f} M/s (closest hit {:.3f} M, shadow {:.3f} M)\n",
+               rays * 1e-6, rays * 1e-6 / stats.seconds, stats.rays.closest * 1e-6,
+               stats.rays.shadow * 1e-6);
+    fmt::print("Memory         {:10.1f} MiB peak, of which traversal {:.1f} MiB\n",
+               usage.ru_maxrss / 1024.0, world.accel->MemoryBytes() / 1048576.0);
+}
+
+/// Rendering time and camera go into the picture's metadata, as pbrt writes them.
+Image Finished(const World &world, const RenderStats &stats) {
+    Image image = world.film.ToImage();
+    image.metadata.renderTimeSeconds = float(stats.seconds);
+    image.metadata.samplesPerPixel =
+        std::visit([](const auto &s) { return s.SamplesPerPixel(); }, world.sampler);
+    image.metadata.cameraFromWorld = world.camera.CameraFromWorld().Matrix();
+    image.metadata.ndcFromWorld = world.camera.NDCFromWorld().Matrix();
+    return image;
+}
+
+int RenderAndWrite(World &world, const Arguments &a, const Times &times) {
+    if (const auto why = WhyNotWritable(world.film.FileName())) {
+        fmt::print(stderr, "Error: {}\n", *why);
+        return kUserError;
+    }
+    std::signal(SIGINT, [](int) { interrupted = 1; });
+    std::signal(SIGTERM, [](int) { interrupted = 1; });
+    Progress progress("Rendering", a.quiet);
+    const auto stats = Render(world, a.overrides.nThreads, [&](int64_t done, int64_t total) {
+        progress.Update(done, total);
+        return interrupted == 0;
+    });
+    progress.Finish(stats ? "done" : "stopped");
+    if (!stats) {
+        fmt::print(stderr, "Interrupted: nothing was written.\n");
+        return kInterrupted;
+    }
+    for (const Material &m : world.materials)
+        if (const std::string remarks = Remarks(m); !remarks.empty() && !a.quiet)
+            fmt::print(stderr, "Warning: {}\n", remarks);
+    if (const auto why =
+            WriteImage(Finished(world, *stats), world.film.FileName(), world.film.Format())) {
+        fmt::print(stderr, "Error: {}\n", *why);
+        return kUserError;
+    }
+    if (a.stats) PrintStats(world, *stats, times);
+    return kSuccess;
+}
+
+int Main(int argc, char **argv) {
+    const ParsedArguments parsed = ParseArguments(argc, argv);
+    if (parsed.exitCode) return *parsed.exitCode;
+    const Arguments &a = parsed.arguments;
+
+    Times times;
+    Diagnostics log;
+    Description scene;
+    scene.options = a.options;
+    auto start = std::chrono::steady_clock::now();
+    ParseFiles(a.files, scene, log);
+    times.parse = Seconds(start);
+    start = std::chrono::steady_clock::now();
+    const std::unique_ptr<World> world = BuildWorld(scene, a.overrides, log);
+    times.build = Seconds(start);
+    Print(log, a.quiet);
+    if (!world || log.HasErrors()) {
+        fmt::print(stderr, "{} error{}; no picture was written.\n", log.ErrorCount(),
+                   log.ErrorCount() == 1 ? "" : "s");
+        return kUserError;
+    }
+    return RenderAndWrite(*world, a, times);
+}
+
+}  // namespace
+}  // namespace pbrt
+
+int main(int argc, char **argv) {
+    return pbrt::Main(argc, argv);
+}

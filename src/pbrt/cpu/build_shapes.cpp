@@ -1,0 +1,180 @@
+#include "pbrt/cpu/build_shapes.h"
+
+#include <fmt/format.h>
+
+#include <set>
+
+namespace pbrt {
+namespace {
+
+constexpr NumberRow kAlpha{"alpha", "", 1, 0, 1, "coverage: below 1 is a random cut-out"};
+
+int AddMaterial(std::string_view type, ParamDict &params, const NamedTextures &textures,
+                World &world) {
+    if (type == InterfaceMaterial::kName) return MaterialTable::kInterface;
+    std::optional<Material> material = CreateMaterial(type, params, textures);
+    if (!material) return MaterialTable::kMissing;
+    world.materials.push_back(std::move(*material));
+    return int(world.materials.size()) - 1;
+}
+
+/// Builds geometries; keeps what the many shapes of a scene have in common.
+class ShapeBuilder {
+  public:
+    ShapeBuilder(const Description &scene, const NamedTextures &textures,
+                 const MaterialTable &materials, World &world, Diagnostics &log)
+        : scene(scene), textures(textures), materials(materials), world(world), log(log) {}
+
+    void Add(const ShapeEntity &entity, const Transform &renderFromObject, bool instanced) {
+        ParamDict params(entity.params, entity.loc, fmt::format("shape \"{}\"", entity.type),
+                         entity.colorSpace, &log, scene.dir);
+        const FloatTexture alpha = GetFloatTexture(params, textures, kAlpha);
+        std::vector<Shape> shapes = CreateShapes(entity, params, renderFromObject);
+        params.ReportUnused();
+        const int material = MaterialOf(entity);
+        if (material == MaterialTable::kInterface) {
+            if (entity.areaLight)
+                log.Warning(entity.loc, "an area light on an interface gives no light");
+            return;
+        }
+        for (Shape &shape : shapes) {
+            Geometry geometry;
+            geometry.shape = std::move(shape);
+            geometry.material = std::max(0, material);
+            geometry.alpha = alpha;
+            geometry.passesLight = material >= 0 && LetsLightThrough(world.materials[material]);
+            if (entity.areaLight && instanced)
+                log.Warning(entity.loc, "an area light in an object definition gives no light");
+            else if (entity.areaLight)
+                emitters.push_back({uint32_t(world.geometries.size()), entity.areaLight.get()});
+            world.geometries.push_back(std::move(geometry));
+        }
+    }
+
+    /// Every use of an object, with the uses inside it, as one-deep instances.
+    void AddInstance(const InstanceUse &use, const TransformPair &renderFromParent,
+                     std::vector<std::string> chain = {}) {
+        const auto object = scene.objects.find(use.name);
+        if (object == scene.objects.end()) {
+            log.Error(use.loc, Unknown("object", use.name, scene.objects));
+            return;
+        }
+        if (std::find(chain.begin(), chain.end(), use.name) != chain.end()) {
+            log.Error(use.loc, fmt::format("object \"{}\" contains itself", use.name));
+            return;
+        }
+        chain.push_back(use.name);
+        TransformPair t;
+        for (int i = 0; i < 2; ++i) t[i] = renderFromParent[i] * use.worldFromInstance[i];
+        if (!object->second.shapes.empty()) {
+            Instance instance;
+            instance.object = objectIndex.at(use.name);
+            instance.renderFromObject = t;
+            instance.moving = !(t[0] == t[1]);
+            world.moves |= instance.moving;
+            world.instances.push_back(instance);
+        }
+        for (const InstanceUse &inner : object->second.instances) AddInstance(inner, t, chain);
+    }
+
+    void AddObjects() {
+        for (const auto &[name, object] : scene.objects) {
+            const uint32_t first = uint32_t(world.geometries.size());
+            for (const ShapeEntity &entity : object.shapes) {
+                if (!(entity.worldFromObject[0] == entity.worldFromObject[1]))
+                    log.Error(entity.loc, "moving shapes inside an object are not supported");
+                Add(entity, entity.worldFromObject[0], true);
+            }
+            objectIndex[name] = uint32_t(world.objects.size());
+            world.objects.push_back({first, uint32_t(world.geometries.size())});
+        }
+    }
+
+    /// A shape whose two transforms differ becomes an object of its own, used once. It is made in
+    /// its own space; the instance carries the motion.
+    void AddMovingShapes(const Transform &renderFromWorld) {
+        for (const ShapeEntity &entity : scene.shapes) {
+            if (entity.worldFromObject[0] == entity.worldFromObject[1]) continue;
+            const uint32_t first = uint32_t(world.geometries.size());
+            if (entity.areaLight) log.Error(entity.loc, "moving area lights are not supported");
+            Add(entity, Transform(), true);
+            Instance instance;
+            instance.object = uint32_t(world.objects.size());
+            for (int i = 0; i < 2; ++i)
+                instance.renderFromObject[i] = renderFromWorld * entity.worldFromObject[i];
+            instance.moving = true;
+            world.moves = true;
+            world.objects.push_back({first, uint32_t(world.geometries.size())});
+            world.instances.push_back(instance);
+        }
+    }
+
+    std::vector<EmissiveShape> emitters;
+
+  private:
+    int MaterialOf(const ShapeEntity &entity) {
+        if (entity.namedMaterial.empty())
+            return entity.material < 0 ? materials.fallback : materials.unnamed[entity.material];
+        const auto found = materials.named.find(entity.namedMaterial);
+        if (found != materials.named.end()) return found->second;
+        log.Error(entity.loc, Unknown("named material", entity.namedMaterial, materials.named));
+        return MaterialTable::kMissing;
+    }
+
+    template <typename Map>
+    static std::string Unknown(std::string_view kind, std::string_view name, const Map &map) {
+        std::vector<std::string_view> names;
+        for (const auto &entry : map) names.push_back(entry.first);
+        return UnknownName(kind, name, names);
+    }
+
+    const Description &scene;
+    const NamedTextures &textures;
+    const MaterialTable &materials;
+    World &world;
+    Diagnostics &log;
+    std::map<std::string, uint32_t> objectIndex;
+};
+
+}  // namespace
+
+MaterialTable BuildMaterials(const Description &scene, const NamedTextures &textures, World &world,
+                             Diagnostics &log) {
+    MaterialTable table;
+    world.materials.push_back(DiffuseMaterial{});
+    for (const Entity &entity : scene.materials) {
+        ParamDict params(entity.params, entity.loc, fmt::format("material \"{}\"", entity.type),
+                         entity.colorSpace, &log, scene.dir);
+        table.unnamed.push_back(AddMaterial(entity.type, params, textures, world));
+    }
+    for (const NamedMaterialEntity &entity : scene.namedMaterials) {
+        ParamDict params(entity.params, entity.loc, fmt::format("material \"{}\"", entity.type),
+                         entity.colorSpace, &log, scene.dir);
+        params.GetOneString("type", "");
+        table.named[entity.name] = AddMaterial(entity.type, params, textures, world);
+    }
+    return table;
+}
+
+std::vector<EmissiveShape> BuildShapes(const Description &scene, const NamedTextures &textures,
+                                       const MaterialTable &materials, World &world,
+                                       Diagnostics &log) {
+    ShapeBuilder builder(scene, textures, materials, world, log);
+    const Transform &renderFromWorld = world.camera.RenderFromWorld();
+    for (const ShapeEntity &entity : scene.shapes)
+        if (entity.worldFromObject[0] == entity.worldFromObject[1])
+            builder.Add(entity, renderFromWorld * entity.worldFromObject[0], false);
+    builder.AddObjects();
+    builder.AddMovingShapes(renderFromWorld);
+    for (const InstanceUse &use : scene.instances)
+        builder.AddInstance(use, {renderFromWorld, renderFromWorld});
+    return std::move(builder.emitters);
+}
+
+uint32_t TopLevelGeometries(const World &world) {
+    uint32_t first = uint32_t(world.geometries.size());
+    for (const ObjectRange &object : world.objects) first = std::min(first, object.first);
+    return first;
+}
+
+}  // namespace pbrt

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "pbrt/cpu/world.h"
+
+namespace pbrt {
+
+/// Where the description's materials are in World::materials; kInterface for those that do not
+/// scatter, kMissing after an error.
+struct MaterialTable {
+    static constexpr int kInterface = -1, kMissing = -2;
+    std::vector<int> unnamed;
+    std::map<std::string, int> named;
+    int fallback = 0;  ///< the default material, diffuse 0.5
+};
+MaterialTable BuildMaterials(const Description &scene, const NamedTextures &textures, World &world,
+                             Diagnostics &log);
+
+struct EmissiveShape {
+    uint32_t geometry;
+    const Entity *areaLight;
+};
+/// Fills World::geometries (those of the top level first), objects and instances; nested instances
+/// are flattened, since Embree nests them one deep only.
+std::vector<EmissiveShape> BuildShapes(const Description &scene, const NamedTextures &textures,
+                                       const MaterialTable &materials, World &world,
+                                       Diagnostics &log);
+/// Number of geometries that stand in the scene as they are.
+uint32_t TopLevelGeometries(const World &world);
+
+}  // namespace pbrt

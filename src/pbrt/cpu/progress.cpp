@@ -1,0 +1,72 @@
+#include "pbrt/cpu/progress.h"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace pbrt {
+namespace {
+
+int64_t Now() {
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(
+               std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
+
+int TerminalWidth() {
+    winsize size{};
+    return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+}  // namespace
+
+Progress::Progress(std::string title, bool quiet)
+    : title(std::move(title)),
+      quiet(quiet),
+      terminal(isatty(STDERR_FILENO) != 0),
+      startNanoseconds(Now()) {
+    if (!quiet && terminal) thread = std::thread([this] { Run(); });
+}
+
+Progress::~Progress() {
+    if (!finished) Finish("stopped");
+}
+
+void Progress::Run() {
+    std::unique_lock lock(mutex);
+    while (!wake.wait_for(lock, std::chrono::milliseconds(200), [this] { return finished; }))
+        Draw((Now() - startNanoseconds) * 1e-9);
+}
+
+void Progress::Draw(double seconds) const {
+    const double fraction = double(done.load()) / std::max<int64_t>(1, total.load());
+    const std::string times =
+        fraction > 0 ? fmt::format("({:.1f}s|{:.1f}s)", seconds, seconds * (1 / fraction - 1))
+                     : fmt::format("({:.1f}s|?s)", seconds);
+    const int width = std::max(10, TerminalWidth() - int(title.size() + times.size()) - 7);
+    const int filled = int(fraction * width);
+    fmt::print(stderr, "\r{}: [{:+<{}}{: <{}}] {} ", title, "", filled, "", width - filled, times);
+    std::fflush(stderr);
+}
+
+void Progress::Finish(const std::string &outcome) {
+    {
+        const std::lock_guard lock(mutex);
+        finished = true;
+    }
+    wake.notify_all();
+    if (thread.joinable()) thread.join();
+    if (quiet) return;
+    const double seconds = (Now() - startNanoseconds) * 1e-9;
+    if (terminal) {
+        Draw(seconds);
+        fmt::print(stderr, "\n");
+    }
+    if (!terminal || outcome != "done")
+        fmt::print(stderr, "{}: {} after {:.1f} s\n", title, outcome, seconds);
+}
+
+}  // namespace pbrt

@@ -1,0 +1,92 @@
+#include "pbrt/cpu/world.h"
+
+namespace pbrt {
+namespace {
+
+/// Linear between the key times, entry by entry, as Embree moves instances.
+Transform At(const Instance &instance, float time) {
+    if (!instance.moving) return instance.renderFromObject[0];
+    Matrix4 m;
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 4; ++j)
+            m[i][j] = Lerp(time, instance.renderFromObject[0].Matrix()[i][j],
+                           instance.renderFromObject[1].Matrix()[i][j]);
+    return Transform::FromMatrix(m).value_or(instance.renderFromObject[0]);
+}
+
+Ray ToObject(const Transform &renderFromObject, const Ray &ray) {
+    const Transform objectFromRender = renderFromObject.Inverse();
+    return {objectFromRender.Point(ray.o), objectFromRender.Vector(ray.d), ray.tMax, ray.time};
+}
+
+/// Error of a transformed point: the input's carried through, and the product's own rounding.
+Vector3f TransformedError(const Transform &t, Point3f p, Vector3f error) {
+    const Matrix4 &m = t.Matrix();
+    Vector3f e;
+    for (int i = 0; i < 3; ++i) {
+        const float carried = std::abs(m[i][0]) * error.x + std::abs(m[i][1]) * error.y +
+                              std::abs(m[i][2]) * error.z;
+        const float size = std::abs(m[i][0] * p.x) + std::abs(m[i][1] * p.y) +
+                           std::abs(m[i][2] * p.z) + std::abs(m[i][3]);
+        e[i] = (1 + Gamma(3)) * carried + Gamma(3) * size;
+    }
+    return e;
+}
+
+SurfacePoint ToRender(const Transform &t, const SurfacePoint &sp) {
+    SurfacePoint r = sp;
+    r.p = t.Point(sp.p);
+    r.pError = TransformedError(t, sp.p, sp.pError);
+    r.n = Normalize(t.Normal(sp.n));
+    r.ns = FaceForward(Normalize(t.Normal(sp.ns)), r.n);
+    r.dpdu = t.Vector(sp.dpdu);
+    r.dpdv = t.Vector(sp.dpdv);
+    r.dpdus = t.Vector(sp.dpdus);
+    return r;
+}
+
+}  // namespace
+
+SurfacePoint World::Interact(const Hit &hit, const Ray &ray) const {
+    const Shape &shape = geometries[hit.geometry].shape;
+    if (hit.instance == ~0u) [[likely]]
+        return pbrt::Interact(shape, hit, ray);
+    const Transform t = At(instances[hit.instance], ray.time);
+    return ToRender(t, pbrt::Interact(shape, hit, ToObject(t, ray)));
+}
+
+SurfacePoint World::InteractLightly(const Hit &hit, const Ray &ray) const {
+    const Shape &shape = geometries[hit.geometry].shape;
+    if (hit.instance == ~0u) return pbrt::InteractLightly(shape, hit, ray);
+    const Transform t = At(instances[hit.instance], ray.time);
+    return ToRender(t, pbrt::InteractLightly(shape, hit, ToObject(t, ray)));
+}
+
+TextureEvalContext World::TextureContext(const SurfacePoint &sp) const {
+    TextureEvalContext ctx;
+    ctx.p = sp.p;
+    ctx.n = sp.n;
+    ctx.uv = sp.uv;
+    ctx.faceIndex = sp.faceIndex;
+    if (!filtersTextures) return ctx;
+    // Sampling finer than a pixel deserves finer look-ups.
+    const float scale =
+        std::max(0.125f, 1 / std::sqrt(float(std::visit(
+                             [](const auto &s) { return s.SamplesPerPixel(); }, sampler))));
+    camera.ApproximateStep(sp.p, sp.n, scale, &ctx.dpdx, &ctx.dpdy);
+    // Least squares for (du, dv) in dp = dpdu du + dpdv dv.
+    const float a = Dot(sp.dpdu, sp.dpdu), b = Dot(sp.dpdu, sp.dpdv), c = Dot(sp.dpdv, sp.dpdv);
+    const float det = a * c - b * b;
+    if (!(det > 0)) return ctx;
+    const auto solve = [&](Vector3f step, float *du, float *dv) {
+        const float x = Dot(sp.dpdu, step), y = Dot(sp.dpdv, step);
+        const auto bounded = [](float v) { return std::clamp(v, -1e8f, 1e8f); };
+        *du = bounded((c * x - b * y) / det);
+        *dv = bounded((a * y - b * x) / det);
+    };
+    solve(ctx.dpdx, &ctx.dudx, &ctx.dvdx);
+    solve(ctx.dpdy, &ctx.dudy, &ctx.dvdy);
+    return ctx;
+}
+
+}  // namespace pbrt

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "pbrt/accel/accel.h"
+#include "pbrt/cameras/camera.h"
+#include "pbrt/films/film.h"
+#include "pbrt/filters/filters.h"
+#include "pbrt/lights/light_sampler.h"
+#include "pbrt/lights/lights.h"
+#include "pbrt/materials/material.h"
+#include "pbrt/samplers/samplers.h"
+
+namespace pbrt {
+
+/// Which of the two ways to find light a path uses. Both together is what renders; one alone is for
+/// tests and measurements: all three have the same mean (but for lights that one cannot find).
+enum class LightStrategy { Both, LightsOnly, BSDFOnly };
+
+struct PathSettings {
+    int maxDepth = 5;
+    bool regularize = false;
+    LightStrategy strategy = LightStrategy::Both;
+};
+
+/// Everything a render reads, ready and immutable. Made by BuildWorld. Moving a World keeps its
+/// inner pointers valid; it cannot be copied.
+struct World {
+    std::vector<Geometry> geometries;
+    std::vector<ObjectRange> objects;
+    std::vector<Instance> instances;
+    std::vector<Material> materials;
+    std::vector<Light> lights;
+    std::vector<int> infiniteLights;  ///< indices into lights
+    LightSampler lightSampler;
+    std::optional<Accel> accel;
+
+    Camera camera;
+    RGBFilm film;
+    Filter filter;
+    Sampler sampler;
+    PathSettings path;
+    Options options;
+    bool filtersTextures = false;  ///< some texture reads the steps per pixel
+    bool moves = false;            ///< time matters
+
+    /// The hit's surface in rendering space.
+    SurfacePoint Interact(const Hit &hit, const Ray &ray) const;
+    /// Point and frames only; see pbrt::InteractLightly.
+    SurfacePoint InteractLightly(const Hit &hit, const Ray &ray) const;
+    TextureEvalContext TextureContext(const SurfacePoint &sp) const;
+};
+
+}  // namespace pbrt

@@ -1,0 +1,152 @@
+#include "pbrt/films/film.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace pbrt {
+namespace {
+
+constexpr std::array<std::string_view, 1> kFilms{RGBFilm::kName};
+constexpr std::array<std::string_view, 1> kSensors{"cie1931"};
+constexpr NumberRow kIso{"iso", "", 100, 1e-6f, 1e9f, "sensor speed"};
+constexpr NumberRow kMaxComponent{"maxcomponentvalue", "", Infinity, 0, Infinity,
+                                  "largest value of a sample"};
+constexpr NumberRow kWhiteBalance{"whitebalance", "K", 0, 0, 25000, "0: none"};
+constexpr NumberRow kDiagonal{"diagonal", "mm", 35, 1e-6f, 1e6f, "of the film"};
+
+/// CIE xy of daylight of T kelvin (4000-25000), CIE 15:2004.
+std::array<float, 2> DaylightXY(float T) {
+    const double t = 1e3 / T;
+    const double x = T <= 7000 ? 0.244063 + t * (0.09911 + t * (2.9678 - t * 4.6070))
+                               : 0.237040 + t * (0.24748 + t * (1.9018 - t * 2.0064));
+    return {float(x), float(-3 * x * x + 2.870 * x - 0.275)};
+}
+
+PixelBounds Crop(Point2i full, const std::array<float, 4> &c) {
+    const auto edge = [](float f, int n) {
+        return std::clamp(int(std::ceil(f * n)), 0, n);
+    };
+    return {edge(c[0], full.x), edge(c[1], full.x), edge(c[2], full.y), edge(c[3], full.y)};
+}
+
+PixelBounds ReadBounds(ParamDict &params, const FilmOverrides &overrides, Point2i full) {
+    PixelBounds bounds{0, full.x, 0, full.y};
+    const std::vector<int> given = params.GetIntArray("pixelbounds");
+    std::vector<float> crop = params.GetFloatArray("cropwindow");
+    const auto clip = [&](const auto &b) {
+        return PixelBounds{std::clamp(b[0], 0, full.x), std::clamp(b[1], 0, full.x),
+                           std::clamp(b[2], 0, full.y), std::clamp(b[3], 0, full.y)};
+    };
+    if (!given.empty() && given.size() != 4)
+        params.Error("pixelbounds", "\"pixelbounds\" needs four integers: x0 x1 y0 y1");
+    else if (!given.empty())
+        bounds = clip(given);
+    if (!crop.empty() && crop.size() != 4)
+        params.Error("cropwindow", "\"cropwindow\" needs four numbers in [0, 1]: x0 x1 y0 y1");
+    else if (!crop.empty())
+        bounds = Crop(full, {crop[0], crop[1], crop[2], crop[3]});
+    if (overrides.pixelBounds) bounds = clip(*overrides.pixelBounds);
+    if (overrides.cropWindow) bounds = Crop(full, *overrides.cropWindow);
+    if (bounds.Width() <= 0 || bounds.Height() <= 0) {
+        params.Error("no pixels are left by \"cropwindow\" or \"pixelbounds\"");
+        bounds = {0, full.x, 0, full.y};
+    }
+    return bounds;
+}
+
+/// Matching curves in the film's RGB, over the integral of y, per wavelength sample.
+std::vector<std::array<float, 4>> Matching(const RGBColorSpace &space, float whiteBalance) {
+    Matrix3 adapt{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    if (whiteBalance > 0) adapt = WhiteBalance(DaylightXY(whiteBalance), space.Chromaticities()[3]);
+    std::vector<std::array<float, 4>> table(int(LambdaMax - LambdaMin) + 1);
+    const float scale = 1 / (CIE_Y_integral * NSpectrumSamples);
+    for (size_t i = 0; i < table.size(); ++i) {
+        const float lambda = LambdaMin + float(i);
+        const std::array<float, 3> xyz =
+            Mul(adapt, {spectra::X()(lambda), spectra::Y()(lambda), spectra::Z()(lambda)});
+        const std::array<float, 3> rgb = Mul(space.RGBFromXYZ(), xyz);
+        table[i] = {rgb[0] * scale, rgb[1] * scale, rgb[2] * scale, 0};
+    }
+    return table;
+}
+
+}  // namespace
+
+RGBFilm RGBFilm::Create(const Description &scene, const FilmOverrides &overrides,
+                        Diagnostics &log) {
+    const std::string type = scene.film.type.empty() ? std::string(kName) : scene.film.type;
+    ParamDict params(scene.film.params, scene.film.loc, fmt::format("film \"{}\"", type),
+                     scene.film.colorSpace, &log, scene.dir);
+    RGBFilm film;
+    if (type != kName) {
+        params.Error(UnknownName("film", type, kFilms));
+        return film;
+    }
+    Point2i full{params.GetOneInt("xresolution", 1280, 1, 65536),
+                 params.GetOneInt("yresolution", 720, 1, 65536)};
+    if (overrides.quick) full = {std::max(1, full.x / 4), std::max(1, full.y / 4)};
+    film.fullResolution = full;
+    film.bounds = ReadBounds(params, overrides, full);
+    film.fileName = params.GetOneString("filename", "pbrt.exr");
+    if (!overrides.outfile.empty()) film.fileName = overrides.outfile;
+    if (!CanWriteImage(film.fileName))
+        params.Error("filename", fmt::format("cannot write \"{}\": the name must end in .exr, .png "
+                                             "or .pfm",
+                                             film.fileName));
+    film.colorSpace = scene.film.colorSpace;
+    film.iso = params.GetOneFloat(kIso);
+    film.maxComponentValue = params.GetOneFloat(kMaxComponent);
+    film.format = params.GetOneBool("savefp16", true) ? ExrPixels::Half : ExrPixels::Float;
+    params.GetOneFloat(kDiagonal);  // concerns realistic cameras only
+    params.GetOneChoice("sensor", "cie1931", kSensors);
+    const float white = params.GetOneFloat(kWhiteBalance);
+    if (white != 0 && white < 4000)
+        params.Error("whitebalance", "\"whitebalance\" must be 0 or from 4000 to 25000 K");
+    film.matching = Matching(*film.colorSpace, white);
+    film.pixels.resize(film.bounds.Area());
+    params.ReportUnused();
+    return film;
+}
+
+RGB RGBFilm::ToSensorRGB(SampledSpectrum L, const SampledWavelengths &lambda) const {
+    using Lanes = SampledSpectrum::Lanes;
+    const SampledSpectrum pdf = lambda.PDF();
+    Lanes sum{};
+    for (int i = 0; i < NSpectrumSamples; ++i) {
+        if (pdf[i] == 0) continue;
+        const float at = lambda[i] - LambdaMin;
+        const int k = std::min(int(at), int(LambdaMax - LambdaMin) - 1);
+        const float t = at - float(k);
+        const float *a = matching[k].data(), *b = matching[k + 1].data();
+        const Lanes va{a[0], a[1], a[2], a[3]}, vb{b[0], b[1], b[2], b[3]};
+        sum += (va + (vb - va) * t) * (L[i] / pdf[i]);
+    }
+    sum *= imagingRatio;
+    const float largest = std::max(sum[0], std::max(sum[1], sum[2]));
+    if (largest > maxComponentValue) sum *= maxComponentValue / largest;
+    return {sum[0], sum[1], sum[2]};
+}
+
+RGB RGBFilm::PixelRGB(Point2i p) const {
+    const Pixel &pixel = pixels[Index(p)];
+    if (pixel.weight == 0) return {};
+    return {float(pixel.rgb[0] / pixel.weight), float(pixel.rgb[1] / pixel.weight),
+            float(pixel.rgb[2] / pixel.weight)};
+}
+
+Image RGBFilm::ToImage() const {
+    Image image({bounds.Width(), bounds.Height()}, {"R", "G", "B"});
+    for (int y = bounds.y0; y < bounds.y1; ++y)
+        for (int x = bounds.x0; x < bounds.x1; ++x) {
+            const RGB rgb = PixelRGB({x, y});
+            for (int c = 0; c < 3; ++c) image.Set({x - bounds.x0, y - bounds.y0}, c, rgb[c]);
+        }
+    image.metadata.pixelBounds = {bounds.x0, bounds.x1, bounds.y0, bounds.y1};
+    image.metadata.fullResolution = fullResolution;
+    if (colorSpace != &RGBColorSpace::sRGB())
+        image.metadata.chromaticities = colorSpace->Chromaticities();
+    return image;
+}
+
+}  // namespace pbrt

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "pbrt/bxdfs/conductor.h"
+#include "pbrt/materials/roughness.h"
+
+namespace pbrt {
+
+/// Metal by its complex index (`eta`, `k`, default copper) or by its `reflectance` at normal
+/// incidence, not both; roughness as in Roughness.
+struct ConductorMaterial {
+    static constexpr std::string_view kName = "conductor";
+    SpectrumTexture eta, k;
+    std::optional<SpectrumTexture> reflectance;
+    Roughness roughness;
+
+    static ConductorMaterial Create(ParamDict &params, const NamedTextures &named);
+    ConductorBxDF GetBxDF(const TextureEvalContext &ctx, SampledWavelengths &lambda) const {
+        const Vector2f alpha = roughness.Alpha(ctx);
+        if (!reflectance)
+            return ConductorBxDF(eta.Evaluate(ctx, lambda), k.Evaluate(ctx, lambda), alpha.x,
+                                 alpha.y);
+        // With eta = 1, R = k^2 / (4 + k^2): the k that reflects r at normal incidence.
+        SampledSpectrum r = reflectance->Evaluate(ctx, lambda);
+        for (int i = 0; i < NSpectrumSamples; ++i)
+            r.Set(i, std::clamp(r[i], 0.f, 0.9999f));
+        const SampledSpectrum kOfR = 2 * Sqrt(r) / Sqrt(SampledSpectrum(1) - r);
+        return ConductorBxDF(SampledSpectrum(1), kOfR, alpha.x, alpha.y);
+    }
+};
+
+}  // namespace pbrt

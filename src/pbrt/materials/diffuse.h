@@ -1,0 +1,22 @@
+#pragma once
+
+#include "pbrt/bxdfs/diffuse.h"
+#include "pbrt/textures/texture.h"
+
+namespace pbrt {
+
+/// Lambertian surface: `reflectance` (albedo texture, default 0.5).
+struct DiffuseMaterial {
+    static constexpr std::string_view kName = "diffuse";
+    SpectrumTexture reflectance{Spectrum(0.5f)};
+
+    static DiffuseMaterial Create(ParamDict &params, const NamedTextures &named) {
+        return {GetSpectrumTexture(params, named, "reflectance", Spectrum(0.5f),
+                                   SpectrumType::Albedo)};
+    }
+    DiffuseBxDF GetBxDF(const TextureEvalContext &ctx, SampledWavelengths &lambda) const {
+        return DiffuseBxDF(reflectance.Evaluate(ctx, lambda));
+    }
+};
+
+}  // namespace pbrt

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <memory>
+#include <string>
+
+#include "pbrt/bxdfs/feather_barbule.h"
+#include "pbrt/feather/params.h"
+#include "pbrt/textures/texture.h"
+
+namespace pbrt {
+
+/// The vane of an iridescent feather (MODEL section 2). Parameters, ranges and defaults are those of
+/// feather::kParams and feather::kSpectrumParams. Constants are checked when the scene is read;
+/// texture values out of range are clamped and counted.
+class FeatherBarbuleMaterial {
+  public:
+    static constexpr std::string_view kName = "featherbarbule";
+    static constexpr bool kPassesLight = true;
+
+    static FeatherBarbuleMaterial Create(ParamDict &params, const NamedTextures &named);
+
+    FeatherBarbuleBxDF GetBxDF(const TextureEvalContext &ctx,
+                               const SampledWavelengths &lambda) const;
+    /// The shading frame, turned about its normal by `rotation`.
+    Frame TurnFrame(const Frame &frame, const TextureEvalContext &ctx) const;
+    /// Share of light from direction w (local, of the turned frame) that passes straight through.
+    float GapFraction(const TextureEvalContext &ctx, Vector3f w) const;
+    /// A sentence where texture values had to be clamped; else empty.
+    std::string Remarks() const;
+
+  private:
+    enum { Thickness, Spacing, Tilt, Aspect, Opening, Rotation };
+    float Value(int parameter, const TextureEvalContext &ctx) const;
+    feather::BarbuleParams<float> Params(const TextureEvalContext &ctx) const;
+
+    std::array<FloatTexture, feather::kParams.size()> values;
+    Spectrum eta;
+    SpectrumTexture melanin;
+    bool constantShape = false;  ///< spacing, tilt, aspect and opening are constants
+    struct ClampCounts {
+        std::array<std::atomic<int64_t>, feather::kParams.size()> counts{};
+    };
+    std::shared_ptr<ClampCounts> clamped = std::make_shared<ClampCounts>();
+};
+
+}  // namespace pbrt

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+
+#include "pbrt/materials/conductor.h"
+#include "pbrt/materials/dielectric.h"
+#include "pbrt/materials/diffuse.h"
+#include "pbrt/materials/feather_barbule.h"
+#include "pbrt/util/type_list.h"
+
+namespace pbrt {
+
+/// No scattering: light passes as if nothing were there. Its shapes are not traced at all.
+struct InterfaceMaterial {
+    static constexpr std::string_view kName = "interface";
+};
+
+/// The one list of materials that scatter.
+using MaterialTypes =
+    TypeList<DiffuseMaterial, ConductorMaterial, DielectricMaterial, FeatherBarbuleMaterial>;
+using Material = MaterialTypes::Variant;
+
+/// Surfaces that let shadow rays through declare kPassesLight.
+template <typename M>
+inline constexpr bool PassesLight = requires { M::kPassesLight; };
+inline bool LetsLightThrough(const Material &material) {
+    return std::visit([]<typename M>(const M &) { return PassesLight<M>; }, material);
+}
+
+/// What a material noticed while rendering, as a sentence; else empty.
+inline std::string Remarks(const Material &material) {
+    return std::visit(
+        [](const auto &m) -> std::string {
+            if constexpr (requires { m.Remarks(); })
+                return m.Remarks();
+            else
+                return {};
+        },
+        material);
+}
+
+/// An error at the directive, with the list of materials, where `type` is none of them.
+std::optional<Material> CreateMaterial(std::string_view type, ParamDict &params,
+                                       const NamedTextures &named);
+/// Names for messages: all of MaterialTypes, and interface.
+std::vector<std::string_view> MaterialNames();
+
+}  // namespace pbrt

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "pbrt/textures/texture.h"
+
+namespace pbrt {
+
+/// `roughness`, `uroughness`, `vroughness` and `remaproughness` of pbrt's microfacet materials.
+struct Roughness {
+    FloatTexture u, v;
+    bool remap = true;
+
+    static Roughness Create(ParamDict &params, const NamedTextures &named);
+    /// Microfacet alpha along x and y: the square root of the roughness where `remaproughness`.
+    Vector2f Alpha(const TextureEvalContext &ctx) const {
+        const float a = u.Evaluate(ctx), b = v.Evaluate(ctx);
+        return remap ? Vector2f{std::sqrt(a), std::sqrt(b)} : Vector2f{a, b};
+    }
+};
+
+}  // namespace pbrt
