@@ -131,15 +131,5 @@ TEST(Sampling, DiscreteSharesAndLeftover) {
     EXPECT_EQ(SampleDiscrete(weights, OneMinusEpsilon).index, 3);
 }
 
-TEST(Sampling, PowerHeuristicWeightsSumToOne) {
-    for (float a : {1e-20f, 0.3f, 1.f, 7e3f, 1e30f}) {
-        for (float b : {1e-20f, 0.3f, 2.f, 1e30f})
-            EXPECT_NEAR(PowerHeuristic(a, b) + PowerHeuristic(b, a), 1, 1e-6);
-        EXPECT_EQ(PowerHeuristic(a, 0), 1);
-        EXPECT_EQ(PowerHeuristic(0, a), 0);
-        EXPECT_EQ(PowerHeuristic(Infinity, a), 1);
-    }
-}
-
 }  // namespace
 }  // namespace pbrt

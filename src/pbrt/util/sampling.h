@@ -10,13 +10,6 @@ namespace pbrt {
 // Warps of uniform numbers u in [0, 1) and their densities. Directions are about +z, densities per
 // unit solid angle, area or length; each Invert undoes its Sample.
 
-/// Power heuristic (beta 2) for one sample of each strategy (Veach 1997, 9.2.4): the weight of the
-/// strategy with density `pdf`. Densities may be infinite or 0, not both 0.
-inline float PowerHeuristic(float pdf, float otherPdf) {
-    const float ratio = otherPdf / pdf;
-    return pdf == Infinity ? 1 : 1 / (1 + ratio * ratio);
-}
-
 /// Index drawn with probability proportional to `weights` (none negative, not all 0), its
 /// probability, and what is left of u. For a handful of weights; many: AliasTable.
 struct DiscreteSample {
