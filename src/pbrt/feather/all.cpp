@@ -1,5 +1,6 @@
 // Shows that the model compiles alone: no include path, nothing but the standard library.
 
+#include "arc.h"
 #include "barbule.h"
 #include "bend.h"
 #include "direction.h"
@@ -17,6 +18,8 @@ namespace pbrt::feather {
 
 template struct Film<float>;
 template struct Film<double>;
+template struct Arc<float>;
+template struct Arc<double>;
 template class Row<float>;
 template class Row<double>;
 template class Bend<float>;

@@ -95,6 +95,14 @@ class Row {
                      : RowView<T>{u, reach, shift, 1 - shift, 1};
     }
 
+    /// Share of the light along the in-plane direction w that passes: max(0, 1 - 2/|D|).
+    T Gap(Planar<T> w) const {
+        const Planar<T> axes = ToAxes(w);
+        const T across = std::sqrt(axes.n * axes.n + aspect * aspect * axes.x * axes.x);
+        const T passed = spacing * std::abs(w.n) - 2 * across;
+        return passed > 0 ? passed / (spacing * std::abs(w.n)) : T(0);
+    }
+
     /// The |w_n| at which a direction with the given w_x sees a gap; w_n w_x has the sign of
     /// `side`. The ends are the roots of |D| = 2, a quadratic form in (w_n, w_x); (inf, inf) if
     /// there is none.

@@ -46,6 +46,8 @@ struct Film {
     T invEtaSqr;  ///< 1 / eta^2
     T contrast;   ///< (eta^2 - 1)^2
     T turns;      ///< phase in turns per unit of eta cos(angle in the film)
+    T grazing;    ///< eta cos(angle in the film) at grazing incidence
+    T phase;      ///< phase in turns at grazing incidence, less a whole number
     T limit;      ///< reflectance where X + Y = 0: 0 if there is no film, else 1 (grazing)
 
     Film() = default;
@@ -54,10 +56,12 @@ struct Film {
           invEtaSqr(1 / (eta * eta)),
           contrast(excess * excess),
           turns(2 * (thickness / lambda)),
+          grazing(std::sqrt(excess)),
+          phase(PhaseAtGrazing(lambda, thickness, eta)),
           limit(thickness.value == 0 || eta == 1 ? T(0) : T(1)) {}
 
     /// Unpolarised reflectance, in [0, 1].
-    /// float against double: 1e-4 at worst from 0 to 89.99 deg for films below 2 um.
+    /// float against double: 5e-7 at worst from 0 to 89.99 deg for films below 2 um.
     T Reflectance(T cosine) const {
         const auto [x, y] = Airy(cosine);
         return (Share(x.s, y, limit) + Share(x.p, y, limit)) / 2;
@@ -85,11 +89,21 @@ struct Film {
         T y;             ///< Y, which both share
     };
 
+    // At grazing incidence the fringes are as narrow as the cosine: the phase is reduced from
+    // there, once and in double, so that float adds only what the cosine changes.
+    static T PhaseAtGrazing(Nm<T> lambda, Nm<T> thickness, T eta) {
+        const double n = eta, d = thickness.value;
+        const double whole = 2 * d * std::sqrt((n - 1) * (n + 1)) / lambda.value;
+        return T(whole - std::rint(whole));
+    }
+
     Terms Airy(T cosine) const {
         const T c2 = std::min(cosine * cosine, T(1));
         const T insideSqr =
             excess + c2;  // eta^2 cos^2 in the film; eta^2 - s2 without cancellation
-        const T k = contrast * SinSquaredPi(turns * std::sqrt(insideSqr));
+        const T sum = grazing + std::sqrt(insideSqr);
+        const T change = sum > 0 ? turns * (c2 / sum) : T(0);
+        const T k = contrast * SinSquaredPi(phase + change);
         const T brewster = c2 - (1 - c2) * invEtaSqr;
         return {{k, k * brewster * brewster}, 4 * c2 * insideSqr};
     }
