@@ -82,8 +82,8 @@ struct Description {
     std::map<std::string, ObjectEntity> objects;
     std::vector<InstanceUse> instances;
     Options options;
-    std::string dir;                     ///< folder of the top-level scene file
-    std::deque<std::string> fileNames;   ///< what FileLoc::file points into
+    std::string dir;                    ///< folder of the top-level scene file
+    std::deque<std::string> fileNames;  ///< what FileLoc::file points into
 };
 
 /// Reads scene files (or standard input for an empty list or "-") into `scene`. Mistakes go to the

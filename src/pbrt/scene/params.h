@@ -1,9 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <initializer_list>
-#include <map>
 #include <optional>
-#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,7 +15,8 @@
 
 namespace pbrt {
 
-/// One `"type name" [ values ]` as written. Only the vector that the type calls for is filled.
+/// One `"type name" [ values ]` as written. Only the vector that the type calls for is filled; none
+/// where the values were wrong, which has been reported: getters then return the default silently.
 struct ParsedParameter {
     std::string type, name;
     FileLoc loc;       ///< of the quoted declaration
@@ -42,9 +42,11 @@ struct NumberRow {
     std::string_view doc;
 };
 
-/// The parameters of one directive, read by name. Every getter notes the name it was asked for, so
-/// ReportUnused can name what was not read, list what is allowed and suggest the nearest.
-/// A value that is wrong (count, range) is reported to the diagnostics and the default returned.
+/// The parameters of one directive, read by name. Name and type must match exactly; of several the
+/// last of the directive's own counts, else the last inherited. Every getter notes the name it was
+/// asked for, so ReportUnused can name what was not read, list what is allowed and suggest the
+/// nearest. A value that is wrong (count, range) is reported to the diagnostics and the default
+/// returned.
 class ParamDict {
   public:
     /// `what` says whose parameters these are, e.g. `material "diffuse"`. `params`: the directive's
@@ -66,14 +68,16 @@ class ParamDict {
     Point2f GetOnePoint2f(std::string_view name, Point2f def);
     Point3f GetOnePoint3f(std::string_view name, Point3f def);
     Vector3f GetOneVector3f(std::string_view name, Vector3f def);
-    /// From rgb, blackbody or spectrum (inline, named, file); nullopt where not given.
+    /// From rgb, blackbody or spectrum (inline, named, file); nullopt where not given or wrong.
+    /// Of these types the last one written counts. rgb: below 0, or above 1 for Albedo, is an
+    /// error.
     std::optional<Spectrum> GetOneSpectrum(std::string_view name, SpectrumType role);
     /// The RGB itself where the parameter was given as `rgb`.
     std::optional<RGB> GetOneRGB(std::string_view name);
     /// File name, made relative to the scene's folder where such a file exists; empty if not given.
     std::string GetFileName(std::string_view name, std::string_view def = "");
 
-    // Whole arrays; empty where not given.
+    // Whole arrays; empty where not given or wrong. Points and vectors: count a multiple of theirs.
     std::vector<float> GetFloatArray(std::string_view name);
     std::vector<int> GetIntArray(std::string_view name);
     std::vector<Point2f> GetPoint2fArray(std::string_view name);
@@ -82,7 +86,8 @@ class ParamDict {
     std::vector<Normal3f> GetNormalArray(std::string_view name);
     std::vector<std::string> GetStringArray(std::string_view name);
 
-    /// The texture's name where `"texture name"` was given (the caller resolves it).
+    /// The texture's name where `"texture name"` was given (the caller resolves it) and no later
+    /// constant of that name overrides it. Ask for it before the constant.
     std::optional<std::string> GetTexture(std::string_view name);
     /// True where a parameter of this name, and of this type unless empty, was given; does not
     /// count as reading it, but as knowing the name.
@@ -94,7 +99,8 @@ class ParamDict {
     const std::string &What() const { return what; }
     const RGBColorSpace &ColorSpace() const { return *colorSpace; }
     const std::string &Dir() const { return dir; }
-    /// An error at the named parameter.
+    /// An error at the named parameter (at the directive where it was not given); nothing is added
+    /// to the message.
     void Error(std::string_view name, std::string_view message);
     void Warning(std::string_view name, std::string_view message);
     /// An error at the directive.
@@ -105,11 +111,41 @@ class ParamDict {
     void ReportUnused();
 
   private:
-    const ParsedParameter *Find(std::string_view name, std::string_view type);
-    const ParsedParameter *FindOne(std::string_view name, std::string_view type, size_t count);
+    /// Types a name may have, for slots that take several.
+    using Types = std::initializer_list<std::string_view>;
+    struct Asked {
+        std::string name;
+        std::string_view type;  ///< empty: any
+    };
+
+    /// The one of these types that counts, marked as used; nullptr where not given.
+    const ParsedParameter *Find(std::string_view name, Types types);
+    /// The same for a single value made of `items` tokens; nullptr also where the count is wrong.
+    const ParsedParameter *FindOne(std::string_view name, std::string_view type, size_t items);
+    /// Index of the parameter that counts among those of these types (any, if none are given).
+    std::optional<size_t> Winner(std::string_view name, Types types) const;
+    void Ask(std::string_view name, std::string_view type);
+    bool CountIs(const ParsedParameter &p, size_t count);
+    /// The values in groups of `items`, of which a wrong count leaves out the last.
+    const std::vector<float> *FindGroups(std::string_view name, std::string_view type,
+                                         size_t items);
+    template <typename Value>
+    std::vector<Value> Triples(std::string_view name, std::string_view type);
+    template <typename Number>
+    bool InRange(const ParsedParameter &p, Number value, Number lo, Number hi,
+                 std::string_view unit);
+    std::optional<RGB> CheckedRGB(const ParsedParameter &p, float most);
+    std::optional<Spectrum> FromRGB(const ParsedParameter &p, SpectrumType role);
+    std::optional<Spectrum> FromBlackbody(const ParsedParameter &p);
+    std::optional<Spectrum> FromPairs(const ParsedParameter &p);
+    std::optional<Spectrum> FromNameOrFile(const ParsedParameter &p);
+    /// An error about the value of `p`, at the value.
+    void ValueError(const ParsedParameter &p, std::string_view message);
+    void ReportUnused(const ParsedParameter &p, size_t index);
+
     ParsedParameters params;
-    std::vector<bool> used;
-    std::vector<std::pair<std::string, std::string>> asked;  ///< (name, type), in order
+    std::vector<uint8_t> used;
+    std::vector<Asked> asked;  ///< in order, each once
     FileLoc directive;
     std::string what;
     const RGBColorSpace *colorSpace;

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace pbrt {
+
+class Parser;
+
+/// Where a directive may stand.
+enum class Where : uint8_t { Anywhere, BeforeWorld, InWorld };
+
+struct Directive {
+    std::string_view name;
+    Where where;
+    void (Parser::*read)();  ///< reads the arguments that follow and hands them to the builder
+};
+
+/// nullptr where there is no such directive.
+const Directive *FindDirective(std::string_view name);
+std::span<const std::string_view> DirectiveNames();
+/// For a directive of pbrt-v3 that v4 has not: what to do about it; else empty.
+std::string_view OldDirectiveHint(std::string_view name);
+
+}  // namespace pbrt

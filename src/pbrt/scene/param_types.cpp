@@ -1,0 +1,66 @@
+#include "pbrt/scene/param_types.h"
+
+#include <algorithm>
+#include <array>
+
+namespace pbrt {
+namespace {
+
+constexpr std::array kTypes{
+    ParamType{"float", ValueKind::Float, 1},     ParamType{"integer", ValueKind::Int, 1},
+    ParamType{"string", ValueKind::String, 1},   ParamType{"point3", ValueKind::Float, 3},
+    ParamType{"rgb", ValueKind::Float, 3},       ParamType{"bool", ValueKind::Bool, 1},
+    ParamType{"texture", ValueKind::String, 1},  ParamType{"spectrum", ValueKind::FloatOrString, 1},
+    ParamType{"blackbody", ValueKind::Float, 1}, ParamType{"point2", ValueKind::Float, 2},
+    ParamType{"vector2", ValueKind::Float, 2},   ParamType{"vector3", ValueKind::Float, 3},
+    ParamType{"normal", ValueKind::Float, 3},
+};
+
+constexpr std::array<std::string_view, kTypes.size()> kNames = [] {
+    std::array<std::string_view, kTypes.size()> names;
+    std::transform(kTypes.begin(), kTypes.end(), names.begin(), [](ParamType t) { return t.name; });
+    return names;
+}();
+
+struct Renamed {
+    std::string_view was, is;
+};
+constexpr std::array kRenamed{Renamed{"color", "rgb"},      Renamed{"point", "point3"},
+                              Renamed{"vector", "vector3"}, Renamed{"normal3", "normal"},
+                              Renamed{"xyz", "rgb"},        Renamed{"int", "integer"},
+                              Renamed{"boolean", "bool"}};
+
+}  // namespace
+
+const ParamType *FindParamType(std::string_view name) {
+    const auto *const found =
+        std::find_if(kTypes.begin(), kTypes.end(), [&](ParamType t) { return t.name == name; });
+    return found == kTypes.end() ? nullptr : &*found;
+}
+
+std::span<const std::string_view> ParamTypeNames() {
+    return kNames;
+}
+
+std::string_view NewNameOfType(std::string_view name) {
+    for (const Renamed &r : kRenamed)
+        if (r.was == name) return r.is;
+    return {};
+}
+
+Declaration SplitDeclaration(std::string_view text) {
+    constexpr std::string_view kBlanks = " \t";
+    Declaration d;
+    const size_t type = text.find_first_not_of(kBlanks);
+    if (type == text.npos) return d;
+    const size_t typeEnd = std::min(text.find_first_of(kBlanks, type), text.size());
+    d.type = text.substr(type, typeEnd - type);
+    const size_t name = text.find_first_not_of(kBlanks, typeEnd);
+    if (name == text.npos) return d;
+    const size_t nameEnd = std::min(text.find_first_of(kBlanks, name), text.size());
+    if (text.find_first_not_of(kBlanks, nameEnd) != text.npos) return d;  // a third word
+    d.name = text.substr(name, nameEnd - name);
+    return d;
+}
+
+}  // namespace pbrt

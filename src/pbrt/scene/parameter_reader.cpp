@@ -1,0 +1,207 @@
+#include "pbrt/scene/parameter_reader.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "pbrt/scene/directives.h"
+#include "pbrt/scene/number.h"
+
+namespace pbrt {
+namespace {
+
+bool IsDirective(const Token &t) {
+    return t.kind == TokenKind::Word && FindDirective(t.text) != nullptr;
+}
+
+/// A string that can only be the next parameter's declaration.
+bool IsDeclaration(const Token &t) {
+    if (t.kind != TokenKind::String) return false;
+    const Declaration d = SplitDeclaration(t.text);
+    return !d.name.empty() && FindParamType(d.type);
+}
+
+/// True where the token cannot be part of the parameter before it.
+bool EndsParameter(const Token &t) {
+    return t.kind == TokenKind::End || IsDirective(t) || IsDeclaration(t);
+}
+
+bool IsTrueOrFalse(std::string_view text) {
+    return text == "true" || text == "false";
+}
+
+/// A bare value where no parameter expects one.
+bool IsLooseValue(const Token &t) {
+    return t.kind == TokenKind::Word && (ParseFloat(t.text) || IsTrueOrFalse(t.text));
+}
+
+}  // namespace
+
+ParsedParameters ParameterReader::Read(Lexer &lexer, const RGBColorSpace *colorSpace) {
+    parameters.clear();
+    while (lexer.Peek().kind == TokenKind::String || lexer.Peek().kind == TokenKind::Broken) {
+        if (lexer.Peek().kind == TokenKind::Broken) {
+            lexer.Advance();
+            SkipValues(lexer);
+        } else {
+            ReadOne(lexer, colorSpace);
+        }
+    }
+    return ParsedParameters(std::make_move_iterator(parameters.begin()),
+                            std::make_move_iterator(parameters.end()));
+}
+
+void ParameterReader::ReadOne(Lexer &lexer, const RGBColorSpace *colorSpace) {
+    const FileLoc loc = lexer.Loc();
+    declaration = lexer.Peek().text;
+    lexer.Advance();
+    const Declaration d = SplitDeclaration(declaration);
+    if (d.name.empty()) {
+        log->Error(loc, fmt::format("expected a parameter declaration \"type name\", found \"{}\"",
+                                    declaration));
+        return SkipValues(lexer);
+    }
+    const ParamType *type = FindParamType(d.type);
+    if (!type) {
+        const std::string_view newName = NewNameOfType(d.type);
+        const std::string hint = newName.empty()
+                                     ? DidYouMean(d.type, ParamTypeNames())
+                                     : fmt::format("; pbrt-v4 calls it \"{}\"", newName);
+        log->Error(loc, fmt::format("unknown parameter type \"{}\" in \"{}\"{}", d.type,
+                                    declaration, hint));
+        return SkipValues(lexer);
+    }
+    floats.clear(), ints.clear(), strings.clear(), bools.clear();
+    ParsedParameter &p = parameters.emplace_back();
+    p.type = d.type;
+    p.name = d.name;
+    p.loc = loc;
+    p.valueLoc = lexer.Loc();
+    p.colorSpace = colorSpace;
+    inList = lexer.Peek().kind == TokenKind::Open;
+    if (inList) {
+        lexer.Advance();
+        p.valueLoc = lexer.Loc();
+        if (!ReadList(lexer, *type)) return;
+    } else {
+        if (!ReadValue(lexer, *type) || !IsLast(lexer)) return SkipValues(lexer);
+    }
+    p.floats = floats;
+    p.ints = ints;
+    p.bools = bools;
+    p.strings = strings;
+}
+
+bool ParameterReader::ReadList(Lexer &lexer, const ParamType &type) {
+    if (lexer.Peek().kind == TokenKind::Close) {
+        Fail(lexer.Loc(), "the list is empty");
+        lexer.Advance();
+        return false;
+    }
+    while (lexer.Peek().kind != TokenKind::Close)
+        if (!ReadValue(lexer, type)) {
+            SkipList(lexer);
+            return false;
+        }
+    lexer.Advance();
+    return true;
+}
+
+bool ParameterReader::ReadValue(Lexer &lexer, const ParamType &type) {
+    switch (type.kind) {
+        case ValueKind::Float:
+            return ReadNumber(lexer);
+        case ValueKind::Int:
+            return ReadInt(lexer);
+        case ValueKind::Bool:
+            return ReadBool(lexer);
+        case ValueKind::String:
+            return ReadString(lexer);
+        case ValueKind::FloatOrString:
+            break;
+    }
+    const bool string = lexer.Peek().kind == TokenKind::String;
+    if ((string && floats.empty()) || !strings.empty()) return ReadString(lexer);
+    return ReadNumber(lexer);
+}
+
+bool ParameterReader::ReadString(Lexer &lexer) {
+    const Token &t = lexer.Peek();
+    if (t.kind != TokenKind::String) return Expected(lexer, "a quoted string");
+    strings.emplace_back(t.text);
+    lexer.Advance();
+    return true;
+}
+
+bool ParameterReader::ReadNumber(Lexer &lexer) {
+    const Token &t = lexer.Peek();
+    const std::optional<float> value =
+        t.kind == TokenKind::Word ? ParseFloat(t.text) : std::nullopt;
+    if (!value) {
+        if (t.kind != TokenKind::Word || IsDirective(t)) return Expected(lexer, "a number");
+        return Fail(lexer.Loc(), WhyNotFloat(t.text));
+    }
+    floats.push_back(*value);
+    lexer.Advance();
+    return true;
+}
+
+bool ParameterReader::ReadInt(Lexer &lexer) {
+    const Token &t = lexer.Peek();
+    const std::optional<int> value = t.kind == TokenKind::Word ? ParseInt(t.text) : std::nullopt;
+    if (!value) {
+        if (t.kind != TokenKind::Word || IsDirective(t)) return Expected(lexer, "an integer");
+        return Fail(lexer.Loc(), WhyNotInt(t.text));
+    }
+    ints.push_back(*value);
+    lexer.Advance();
+    return true;
+}
+
+bool ParameterReader::ReadBool(Lexer &lexer) {
+    const Token &t = lexer.Peek();
+    if (!IsTrueOrFalse(t.text)) return Expected(lexer, "true or false");
+    if (t.kind == TokenKind::String)
+        return Fail(lexer.Loc(), fmt::format("write {} without quotes", t.text));
+    bools.push_back(t.text == "true");
+    lexer.Advance();
+    return true;
+}
+
+/// `"point3 P" 0 0 1`: the first number is the value, the others lack their brackets.
+bool ParameterReader::IsLast(Lexer &lexer) {
+    if (!IsLooseValue(lexer.Peek())) return true;
+    return Fail(lexer.Loc(), fmt::format("found a second value {}; write several values in [ ]",
+                                         Shown(lexer.Peek())));
+}
+
+void ParameterReader::SkipValues(Lexer &lexer) {
+    if (lexer.Peek().kind == TokenKind::Open) {
+        lexer.Advance();
+        SkipList(lexer);
+        return;
+    }
+    if (!EndsParameter(lexer.Peek())) lexer.Advance();
+    while (IsLooseValue(lexer.Peek()))
+        lexer.Advance();
+}
+
+void ParameterReader::SkipList(Lexer &lexer) {
+    while (!EndsParameter(lexer.Peek()) && lexer.Peek().kind != TokenKind::Close)
+        lexer.Advance();
+    if (lexer.Peek().kind == TokenKind::Close) lexer.Advance();
+}
+
+bool ParameterReader::Fail(const FileLoc &loc, std::string_view message) {
+    log->Error(loc, fmt::format("\"{}\": {}", declaration, message));
+    return false;
+}
+
+bool ParameterReader::Expected(const Lexer &lexer, std::string_view what) {
+    const Token &t = lexer.Peek();
+    if (t.kind == TokenKind::Broken) return false;  // reported by the lexer
+    return Fail(lexer.Loc(),
+                fmt::format("expected {}{}, found {}", what, inList ? " or \"]\"" : "", Shown(t)));
+}
+
+}  // namespace pbrt

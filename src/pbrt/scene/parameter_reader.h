@@ -1,0 +1,48 @@
+#pragma once
+
+#include "pbrt/scene/lexer.h"
+#include "pbrt/scene/param_types.h"
+#include "pbrt/scene/params.h"
+
+namespace pbrt {
+
+/// Reads parameter lists: `"type name" value` or `"type name" [ values ]`, repeated.
+class ParameterReader {
+  public:
+    explicit ParameterReader(Diagnostics *log) : log(log) {}
+
+    /// The list that starts at the lexer's token; stops at the first token that cannot belong to
+    /// it. Every mistake is reported; the parameter then has no values, which the getters of
+    /// ParamDict know as "given, but already reported".
+    ParsedParameters Read(Lexer &lexer, const RGBColorSpace *colorSpace);
+
+  private:
+    void ReadOne(Lexer &lexer, const RGBColorSpace *colorSpace);
+    // True where the values are right; they are then in the buffers below. A wrong one is reported
+    // and left to the caller to skip.
+    bool ReadList(Lexer &lexer, const ParamType &type);
+    bool ReadValue(Lexer &lexer, const ParamType &type);
+    bool ReadString(Lexer &lexer);
+    bool ReadNumber(Lexer &lexer);
+    bool ReadInt(Lexer &lexer);
+    bool ReadBool(Lexer &lexer);
+    bool IsLast(Lexer &lexer);
+    /// Past the values of a parameter that cannot be read; nothing is reported.
+    void SkipValues(Lexer &lexer);
+    void SkipList(Lexer &lexer);
+    /// An error about the parameter being read; returns false.
+    bool Fail(const FileLoc &loc, std::string_view message);
+    bool Expected(const Lexer &lexer, std::string_view what);
+
+    Diagnostics *log;
+    std::string_view declaration;  ///< of the parameter being read, as written
+    bool inList = false;
+    // Kept between calls, so that each parameter is one allocation of the right size.
+    ParsedParameters parameters;
+    std::vector<float> floats;
+    std::vector<int> ints;
+    std::vector<std::string> strings;
+    std::vector<uint8_t> bools;
+};
+
+}  // namespace pbrt

@@ -1,0 +1,77 @@
+// Colours and spectra of ParamDict.
+
+#include <fmt/format.h>
+
+#include "pbrt/scene/params.h"
+#include "pbrt/scene/scene_file.h"
+#include "pbrt/spectra/spectrum_file.h"
+
+namespace pbrt {
+
+std::optional<Spectrum> ParamDict::GetOneSpectrum(std::string_view name, SpectrumType role) {
+    const ParsedParameter *const p = Find(name, {"rgb", "spectrum", "blackbody"});
+    if (!p) return {};
+    if (p->type == "rgb") return FromRGB(*p, role);
+    if (p->type == "blackbody") return FromBlackbody(*p);
+    if (!p->strings.empty()) return FromNameOrFile(*p);
+    return FromPairs(*p);
+}
+
+std::optional<Spectrum> ParamDict::FromRGB(const ParsedParameter &p, SpectrumType role) {
+    const std::optional<RGB> rgb = CheckedRGB(p, role == SpectrumType::Albedo ? 1 : Infinity);
+    if (!rgb) return {};
+    const RGBColorSpace &space = p.colorSpace ? *p.colorSpace : *colorSpace;
+    switch (role) {
+        case SpectrumType::Albedo:
+            return space.AlbedoSpectrum(*rgb);
+        case SpectrumType::Unbounded:
+            return space.UnboundedSpectrum(*rgb);
+        case SpectrumType::Illuminant:
+            return space.IlluminantSpectrum(*rgb);
+    }
+    return {};
+}
+
+std::optional<Spectrum> ParamDict::FromBlackbody(const ParsedParameter &p) {
+    if (!CountIs(p, 1)) return {};
+    if (p.floats[0] > 0) return Spectrum::Blackbody(p.floats[0]);
+    ValueError(p, fmt::format("{} is not above 0 K", p.floats[0]));
+    return {};
+}
+
+std::optional<Spectrum> ParamDict::FromPairs(const ParsedParameter &p) {
+    if (p.floats.empty()) return {};
+    if (p.floats.size() % 2 != 0) {
+        ValueError(
+            p, fmt::format("{} numbers are not pairs of wavelength and value", p.floats.size()));
+        return {};
+    }
+    std::vector<float> lambda, values;
+    for (size_t i = 0; i < p.floats.size(); i += 2) {
+        if (i > 0 && p.floats[i] <= lambda.back()) {
+            ValueError(p, fmt::format("wavelength {} nm follows {} nm; they must increase",
+                                      p.floats[i], lambda.back()));
+            return {};
+        }
+        lambda.push_back(p.floats[i]);
+        values.push_back(p.floats[i + 1]);
+    }
+    if (lambda.size() == 1)
+        diagnostics->Warning(p.valueLoc, fmt::format("\"spectrum {}\": one wavelength only; the "
+                                                     "spectrum is 0 at all others",
+                                                     p.name));
+    return Spectrum::PiecewiseLinear(lambda, values);
+}
+
+std::optional<Spectrum> ParamDict::FromNameOrFile(const ParsedParameter &p) {
+    if (!CountIs(p, 1)) return {};
+    const std::string &name = p.strings[0];
+    if (const Spectrum *named = GetNamedSpectrum(name)) return *named;
+    const OrError<SpectrumPoints> file = ReadSpectrumFile(ResolvePath(name, dir));
+    if (file) return Spectrum::PiecewiseLinear(file.value->lambda, file.value->values);
+    ValueError(p, fmt::format("\"{}\" is no built-in spectrum, and as a file: {}{}", name,
+                              file.error, DidYouMean(name, NamedSpectrumNames())));
+    return {};
+}
+
+}  // namespace pbrt

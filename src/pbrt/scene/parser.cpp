@@ -1,0 +1,159 @@
+#include "pbrt/scene/parser.h"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <filesystem>
+
+#include "pbrt/scene/scene_file.h"
+
+namespace pbrt {
+namespace {
+
+/// After this many errors a file is no scene, and more messages help nobody.
+constexpr int kMostErrors = 200;
+
+bool MayBeDirective(std::string_view word) {
+    return std::isalpha(static_cast<unsigned char>(word[0])) && word != "true" && word != "false";
+}
+
+/// What kind of file this is, where it cannot be a scene; else empty.
+std::string_view NotAScene(std::string_view text) {
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+        return "the file is in UTF-16; scene files are UTF-8";
+    if (text.starts_with("\x1F\x8B")) return "the file is compressed; name it .gz";
+    if (text.find('\0') != text.npos) return "the file is not text";
+    return {};
+}
+
+/// The same for all names of one file.
+std::string CanonicalPath(const std::string &path) {
+    std::error_code unknown;
+    const std::filesystem::path canonical = std::filesystem::weakly_canonical(path, unknown);
+    return unknown ? path : canonical.string();
+}
+
+}  // namespace
+
+Parser::Parser(Description *scene, Diagnostics *log)
+    : scene(scene), log(log), builder(scene, log), parameters(log) {}
+
+void Parser::ReadFile(const std::string &path) {
+    const std::string_view name = scene->fileNames.emplace_back(path == "-" ? "<stdin>" : path);
+    const std::optional<std::string> text = ReadFileContents(path, {}, *log);
+    if (!text) return;
+    open = {{std::string(name), CanonicalPath(path)}};
+    dir = FolderOf(path);
+    scene->dir = dir;
+    ReadTokens(*text, name);
+}
+
+void Parser::ReadText(std::string_view text, std::string_view name, std::string_view folder) {
+    open = {{std::string(name), CanonicalPath(std::string(name))}};
+    dir = folder;
+    scene->dir = dir;
+    ReadTokens(text, scene->fileNames.emplace_back(name));
+}
+
+void Parser::ReadTokens(std::string_view text, std::string_view name) {
+    if (const std::string_view why = NotAScene(text); !why.empty())
+        return log->Error({name, 0, 0}, why);
+    Lexer *const outer = lexer;
+    Lexer own(text, name, log);
+    lexer = &own;
+    while (lexer->Peek().kind != TokenKind::End) {
+        ReadDirective();
+        if (log->ErrorCount() >= kMostErrors) {
+            log->Error(lexer->Loc(), fmt::format("{} errors; gave up", log->ErrorCount()));
+            break;
+        }
+    }
+    lexer = outer;
+}
+
+void Parser::ReadDirective() {
+    const Token token = lexer->Peek();
+    at = lexer->Loc();
+    if (token.kind != TokenKind::Word || !MayBeDirective(token.text)) {
+        if (token.kind != TokenKind::Broken)
+            log->Error(at, fmt::format("expected a directive, found {}", Shown(token)));
+        lexer->Advance();
+        return Resynchronise();
+    }
+    lexer->Advance();
+    directive = FindDirective(token.text);
+    if (!directive) {
+        const std::string_view old = OldDirectiveHint(token.text);
+        log->Error(at, fmt::format("unknown directive {}{}", Shown(token),
+                                   old.empty() ? DidYouMean(token.text, DirectiveNames())
+                                               : fmt::format("; {}", old)));
+        return Resynchronise();
+    }
+    if (!CheckPlace(*directive)) return Resynchronise();
+    depth = 0;
+    (this->*directive->read)();
+}
+
+/// A directive before WorldBegin that belongs after it is read all the same, so that its own
+/// mistakes are found; the others misplaced in the same way are then not reported again.
+bool Parser::CheckPlace(const Directive &d) {
+    if (d.where == Where::BeforeWorld && builder.InWorld()) {
+        log->Error(at, fmt::format("{} is allowed only before WorldBegin", d.name));
+        return false;
+    }
+    if (d.where == Where::InWorld && !builder.InWorld() && !saidNotInWorld) {
+        log->Error(at, fmt::format("{} is allowed only after WorldBegin", d.name));
+        saidNotInWorld = true;
+    }
+    return true;
+}
+
+void Parser::Resynchronise() {
+    for (; lexer->Peek().kind != TokenKind::End; lexer->Advance()) {
+        const Token &t = lexer->Peek();
+        if (t.kind == TokenKind::Open) ++depth;
+        if (t.kind == TokenKind::Close && depth > 0) --depth;
+        if (t.kind != TokenKind::Word) continue;
+        if (FindDirective(t.text) || (depth == 0 && MayBeDirective(t.text))) return;
+    }
+}
+
+bool Parser::ReadNested(const std::string &name, const FileLoc &use) {
+    const std::string path = ResolvePath(name, dir);
+    const OpenFile file{path == "-" ? "<stdin>" : path, CanonicalPath(path)};
+    for (const OpenFile &f : open)
+        if (f.identity == file.identity) return ReportCycle(file, use), false;
+    const std::optional<std::string> text = ReadFileContents(path, use, *log);
+    if (!text) return false;
+    open.push_back(file);
+    ReadTokens(*text, scene->fileNames.emplace_back(file.shown));
+    open.pop_back();
+    return true;
+}
+
+void Parser::ReportCycle(const OpenFile &again, const FileLoc &use) {
+    std::string chain;
+    bool within = false;
+    for (const OpenFile &f : open) {
+        within = within || f.identity == again.identity;
+        if (within) chain += fmt::format("\"{}\" -> ", f.shown);
+    }
+    log->Error(use, fmt::format("the file includes itself: {}\"{}\"", chain, again.shown));
+}
+
+void ParseFiles(const std::vector<std::string> &files, Description &scene, Diagnostics &log) {
+    Parser parser(&scene, &log);
+    if (files.empty()) parser.ReadFile("-");
+    for (const std::string &file : files)
+        parser.ReadFile(file);
+    parser.Finish();
+}
+
+void ParseString(std::string_view text, std::string_view name, std::string_view dir,
+                 Description &scene, Diagnostics &log) {
+    Parser parser(&scene, &log);
+    parser.ReadText(text, name, dir);
+    parser.Finish();
+}
+
+}  // namespace pbrt
