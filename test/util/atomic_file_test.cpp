@@ -2,37 +2,22 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <csignal>
 #include <filesystem>
+
+#include "support/temp_folder.h"
 
 namespace pbrt {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of its own for each test, removed afterwards.
-class AtomicFile : public testing::Test {
-  protected:
-    void SetUp() override {
-        folder = fs::path(testing::TempDir()) /
-                 (std::string("pbrt-atomic-") +
-                  testing::UnitTest::GetInstance()->current_test_info()->name() + "-" +
-                  std::to_string(getpid()));
-        fs::create_directories(folder);
-    }
-    void TearDown() override { fs::remove_all(folder); }
+using AtomicFile = TempFolder;
 
-    std::string Path(const std::string &name) const { return (folder / name).string(); }
-    static std::string Read(const std::string &path) {
-        return ReadWholeFile(path).bytes.value_or("(none)");
-    }
-    size_t FileCount() const {
-        return size_t(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
-    }
-    fs::path folder;
-};
+std::string Read(const std::string &path) {
+    return ReadWholeFile(path).bytes.value_or("(none)");
+}
 
 TEST_F(AtomicFile, WritesAndReplacesBytes) {
     const std::string path = Path("a b.bin"), bytes("x\0y\n", 4);

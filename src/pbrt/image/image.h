@@ -13,8 +13,9 @@ namespace pbrt {
 
 /// What travels with a picture. Empty optionals are not written.
 struct ImageMetadata {
-    /// Data window in full-picture pixels, [x0, x1) x [y0, y1), and the full size.
-    std::array<int, 4> pixelBounds{};  ///< x0 x1 y0 y1; all 0: the whole picture
+    /// Data window in full-picture pixels, [x0, x1) x [y0, y1), and the full size. ReadImage sets
+    /// both; WriteImage reads "all 0" as the whole picture.
+    std::array<int, 4> pixelBounds{};  ///< x0 x1 y0 y1
     Point2i fullResolution{};
     std::optional<std::array<std::array<float, 2>, 4>> chromaticities;  ///< xy: R G B white
     std::optional<float> renderTimeSeconds;
@@ -23,6 +24,9 @@ struct ImageMetadata {
     /// Row-major as pbrt writes them.
     std::optional<std::array<std::array<float, 4>, 4>> cameraFromWorld, ndcFromWorld;
     std::map<std::string, std::string> strings;
+    /// How a file that was read holds its values: "half", "float", "uint", "8-bit", "16-bit" or
+    /// "rgbe"; empty for pictures made in memory. Not written.
+    std::string storedAs;
 };
 
 /// Pixels in float, interleaved channels, rows top to bottom; values are linear light.
@@ -45,9 +49,7 @@ class Image {
     ImageMetadata metadata;
 
   private:
-    size_t Offset(Point2i p) const {
-        return (size_t(p.y) * resolution.x + p.x) * channels.size();
-    }
+    size_t Offset(Point2i p) const { return (size_t(p.y) * resolution.x + p.x) * channels.size(); }
     Point2i resolution;
     std::vector<std::string> channels;
     std::vector<float> pixels;
@@ -69,15 +71,19 @@ struct OrError {
     explicit operator bool() const { return value.has_value(); }
 };
 
-/// Reads .exr, .png, .jpg/.jpeg, .pfm, .hdr by their content's magic. 8- and 16-bit files are
-/// decoded by `encoding` (default sRGB for 8-bit png and jpg, linear otherwise).
+/// Reads EXR, PNG, JPEG, PFM and Radiance HDR, told apart by their first bytes. PNG and JPEG are
+/// decoded by `encoding` (default sRGB, alpha always linear); the others hold linear values.
+/// Channels: R G B, then A, or Y, as PNG, JPEG, PFM and HDR have them; those of EXR sorted by
+/// layer, in a layer R G B A or X Y Z first, the rest by name.
 OrError<Image> ReadImage(const std::string &fileName,
                          std::optional<ColorEncoding> encoding = std::nullopt);
 
 enum class ExrPixels { Half, Float };
 /// Writes .exr (ZIP), .png (8 bit sRGB) or .pfm by extension, to a temporary name beside the
 /// target that is renamed when complete. Returns the reason on failure; then nothing is left
-/// behind and an old file is untouched.
+/// behind and an old file is untouched. Half: values beyond +-65504 become +-65504, NaN stays.
+/// PNG and PFM keep R G B (PNG: and A) or the only channel, turned into sRGB primaries where
+/// chromaticities are given; PNG clamps to [0, 1] and writes NaN as 0.
 std::optional<std::string> WriteImage(const Image &image, const std::string &fileName,
                                       ExrPixels pixels = ExrPixels::Half);
 /// True where WriteImage knows the extension.

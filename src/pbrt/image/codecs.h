@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "pbrt/image/image.h"
+
+// One file format each, between bytes in memory and Image. Errors are reasons without a file name:
+// "is damaged: ...", as the rest of a sentence.
+
+namespace pbrt {
+
+OrError<Image> DecodeExr(std::string_view bytes);
+OrError<Image> DecodePng(std::string_view bytes, const ColorEncoding &encoding);
+OrError<Image> DecodeJpeg(std::string_view bytes, const ColorEncoding &encoding);
+OrError<Image> DecodePfm(std::string_view bytes);
+OrError<Image> DecodeHdr(std::string_view bytes);
+
+OrError<std::string> EncodeExr(const Image &image, ExrPixels pixels);
+OrError<std::string> EncodePng(const Image &image);
+OrError<std::string> EncodePfm(const Image &image);
+
+/// Asked before memory is taken for a picture: nullopt where `bytesInFile` may hold width x height
+/// pixels of `channels` values, `bitsPerPixel` before compression, by a format that compresses at
+/// most `maxRatio` times; else the reason. Pictures of more than 2^31 values are refused.
+std::optional<std::string> Implausible(double width, double height, double channels,
+                                       double bitsPerPixel, double maxRatio, size_t bytesInFile);
+
+/// R G B (and A where `withAlpha`) in sRGB primaries, or the only channel: what formats without
+/// named channels can hold.
+OrError<Image> ForDisplay(const Image &image, bool withAlpha);
+
+}  // namespace pbrt

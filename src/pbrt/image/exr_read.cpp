@@ -1,0 +1,136 @@
+#include <ImfChannelList.h>
+#include <ImfChromaticitiesAttribute.h>
+#include <ImfFloatAttribute.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfInputPart.h>
+#include <ImfIntAttribute.h>
+#include <ImfMatrixAttribute.h>
+#include <ImfMultiPartInputFile.h>
+#include <ImfPartType.h>
+#include <ImfStringAttribute.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "pbrt/image/codecs.h"
+#include "pbrt/image/exr_stream.h"
+
+namespace pbrt {
+namespace {
+
+template <typename Attribute, typename T>
+void ReadAttribute(const Imf::Header &header, const char *name, std::optional<T> *value) {
+    if (const auto *attribute = header.findTypedAttribute<Attribute>(name))
+        *value = attribute->value();
+}
+
+std::optional<std::array<std::array<float, 4>, 4>> ReadMatrix(const Imf::Header &header,
+                                                              const char *name) {
+    const auto *attribute = header.findTypedAttribute<Imf::M44fAttribute>(name);
+    if (!attribute) return {};
+    std::array<std::array<float, 4>, 4> m;
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 4; ++j)
+            m[i][j] = attribute->value()[i][j];
+    return m;
+}
+
+ImageMetadata ReadMetadata(const Imf::Header &header) {
+    ImageMetadata metadata;
+    const Imath::Box2i data = header.dataWindow(), display = header.displayWindow();
+    metadata.pixelBounds = {data.min.x - display.min.x, data.max.x + 1 - display.min.x,
+                            data.min.y - display.min.y, data.max.y + 1 - display.min.y};
+    metadata.fullResolution = {display.max.x + 1 - display.min.x,
+                               display.max.y + 1 - display.min.y};
+    if (const auto *xy =
+            header.findTypedAttribute<Imf::ChromaticitiesAttribute>("chromaticities")) {
+        const Imf::Chromaticities &c = xy->value();
+        metadata.chromaticities = {{{c.red.x, c.red.y},
+                                    {c.green.x, c.green.y},
+                                    {c.blue.x, c.blue.y},
+                                    {c.white.x, c.white.y}}};
+    }
+    ReadAttribute<Imf::FloatAttribute>(header, "renderTimeSeconds", &metadata.renderTimeSeconds);
+    ReadAttribute<Imf::IntAttribute>(header, "samplesPerPixel", &metadata.samplesPerPixel);
+    ReadAttribute<Imf::FloatAttribute>(header, "MSE", &metadata.mse);
+    metadata.cameraFromWorld = ReadMatrix(header, "worldToCamera");
+    metadata.ndcFromWorld = ReadMatrix(header, "worldToNDC");
+    for (auto a = header.begin(); a != header.end(); ++a)
+        if (const auto *text = dynamic_cast<const Imf::StringAttribute *>(&a.attribute()))
+            metadata.strings[a.name()] = text->value();
+    // What the file format itself says with strings.
+    metadata.strings.erase("name");
+    metadata.strings.erase("type");
+    return metadata;
+}
+
+struct Channels {
+    std::vector<std::string> names;
+    Imf::PixelType type = Imf::HALF;  ///< the widest
+    double bitsPerPixel = 0;
+};
+
+/// Channels sorted by layer, in a layer R G B A or X Y Z first; nullopt where some are subsampled.
+std::optional<Channels> ReadChannels(const Imf::ChannelList &list) {
+    Channels channels;
+    for (auto c = list.begin(); c != list.end(); ++c) {
+        if (c.channel().xSampling != 1 || c.channel().ySampling != 1) return {};
+        channels.names.push_back(c.name());
+        const Imf::PixelType type = c.channel().type;
+        channels.bitsPerPixel += type == Imf::HALF ? 16 : 32;
+        if (type != Imf::HALF) channels.type = channels.type == Imf::FLOAT ? Imf::FLOAT : type;
+    }
+    const auto key = [](const std::string &name) {
+        const size_t dot = name.rfind('.');
+        const std::string layer = dot == std::string::npos ? "" : name.substr(0, dot);
+        const std::string last = dot == std::string::npos ? name : name.substr(dot + 1);
+        constexpr std::string_view kFirst = "RGBAXYZ";
+        const size_t rank = last.size() == 1 ? kFirst.find(last[0]) : std::string_view::npos;
+        return std::tuple(layer, rank, last);
+    };
+    std::sort(channels.names.begin(), channels.names.end(),
+              [&](const std::string &a, const std::string &b) { return key(a) < key(b); });
+    return channels;
+}
+
+}  // namespace
+
+OrError<Image> DecodeExr(std::string_view bytes) {
+    ExrInput stream(bytes);
+    // Opens without a buffer for pixels, so that the size can be judged first; a table of lines
+    // that is incomplete shows when they are read.
+    Imf::MultiPartInputFile file(stream, Imf::globalThreadCount(), false);
+    const Imf::Header &header = file.header(0);
+    if (header.hasType() && Imf::isDeepData(header.type()))
+        return {{}, "holds deep pixels, which are not supported"};
+    const std::optional<Channels> channels = ReadChannels(header.channels());
+    if (!channels) return {{}, "has subsampled channels, which are not supported"};
+    const Imath::Box2i window = header.dataWindow();
+    const double width = double(window.max.x) - window.min.x + 1;
+    const double height = double(window.max.y) - window.min.y + 1;
+    // Beyond deflate's 1032:1, for the wavelet and block coders on flat pictures.
+    constexpr double kMaxRatio = 4096;
+    if (auto reason = Implausible(width, height, double(channels->names.size()),
+                                  channels->bitsPerPixel, kMaxRatio, bytes.size()))
+        return {{}, *reason};
+
+    Image image({int(width), int(height)}, channels->names);
+    const size_t pixelBytes = channels->names.size() * sizeof(float);
+    Imf::FrameBuffer frame;
+    for (size_t c = 0; c < channels->names.size(); ++c)
+        frame.insert(channels->names[c],
+                     Imf::Slice::Make(Imf::FLOAT, image.Data().data() + c, window.min,
+                                      int64_t(width), int64_t(height), pixelBytes));
+    Imf::InputPart part(file, 0);
+    part.setFrameBuffer(frame);
+    part.readPixels(window.min.y, window.max.y);
+    image.metadata = ReadMetadata(header);
+    image.metadata.storedAs = channels->type == Imf::HALF    ? "half"
+                              : channels->type == Imf::FLOAT ? "float"
+                                                             : "uint";
+    return {std::move(image), {}};
+}
+
+}  // namespace pbrt

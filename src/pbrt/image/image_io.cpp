@@ -1,0 +1,127 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <exception>
+
+#include "pbrt/image/codecs.h"
+#include "pbrt/image/primaries.h"
+#include "pbrt/util/atomic_file.h"
+
+namespace pbrt {
+namespace {
+
+constexpr ColorEncoding kSRGB{ColorEncoding::Kind::sRGB, 1};
+
+OrError<Image> Decode(std::string_view bytes, const ColorEncoding &encoding) {
+    if (bytes.empty()) return {{}, "is empty"};
+    if (bytes.starts_with("\x76\x2f\x31\x01")) return DecodeExr(bytes);
+    if (bytes.starts_with("\x89PNG")) return DecodePng(bytes, encoding);
+    if (bytes.starts_with("\xff\xd8\xff")) return DecodeJpeg(bytes, encoding);
+    if (bytes.starts_with("PF") || bytes.starts_with("Pf")) return DecodePfm(bytes);
+    if (bytes.starts_with("#?")) return DecodeHdr(bytes);
+    return {{}, "is no EXR, PNG, JPEG, PFM or Radiance HDR picture"};
+}
+
+/// The extension in lower case, without the dot.
+std::string Extension(std::string_view fileName) {
+    const size_t dot = fileName.find_last_of("./");
+    if (dot == std::string_view::npos || fileName[dot] == '/') return {};
+    std::string extension(fileName.substr(dot + 1));
+    for (char &c : extension)
+        c = char(std::tolower(static_cast<unsigned char>(c)));
+    return extension;
+}
+
+OrError<std::string> Encode(const Image &image, const std::string &extension, ExrPixels pixels) {
+    if (image.Resolution().x <= 0 || image.Resolution().y <= 0 || image.NChannels() == 0)
+        return {{}, "would be an empty picture"};
+    if (extension == "exr") return EncodeExr(image, pixels);
+    if (extension == "png") return EncodePng(image);
+    if (extension == "pfm") return EncodePfm(image);
+    return {{}, "has none of the extensions that can be written: .exr, .png, .pfm"};
+}
+
+}  // namespace
+
+std::optional<std::string> Implausible(double width, double height, double channels,
+                                       double bitsPerPixel, double maxRatio, size_t bytesInFile) {
+    if (!(width >= 1) || !(height >= 1) || !(channels >= 1)) return "holds no pixels";
+    if (width * height * channels > 0x1p31)
+        return fmt::format("has {} x {} pixels of {} channels, more than fit here", width, height,
+                           channels);
+    if (width * height * bitsPerPixel / 8 > maxRatio * double(bytesInFile))
+        return fmt::format("is damaged: {} x {} pixels cannot come from {} bytes", width, height,
+                           bytesInFile);
+    return {};
+}
+
+OrError<Image> ForDisplay(const Image &image, bool withAlpha) {
+    int source[4] = {image.ChannelIndex("R"), image.ChannelIndex("G"), image.ChannelIndex("B"),
+                     withAlpha ? image.ChannelIndex("A") : -1};
+    std::vector<std::string> names{"R", "G", "B"};
+    if (source[0] < 0 || source[1] < 0 || source[2] < 0) {
+        if (image.NChannels() != 1)
+            return {{}, "needs the channels R, G and B or a single one in this format"};
+        names = {"Y"};
+        source[0] = 0;
+    } else if (source[3] >= 0) {
+        names.push_back("A");
+    }
+    const bool color = names.size() >= 3 && image.metadata.chromaticities;
+    const auto toSRGB = RGBFromRGB(kSRGBChromaticities,
+                                   color ? *image.metadata.chromaticities : kSRGBChromaticities);
+    if (!toSRGB) return {{}, "has chromaticities that span no color space"};
+
+    Image display(image.Resolution(), names);
+    const size_t n = names.size();
+    for (size_t p = 0; p < display.Data().size() / n; ++p) {
+        const float *in = &image.Data()[p * image.NChannels()];
+        float *out = &display.Data()[p * n];
+        for (size_t c = 0; c < n; ++c)
+            out[c] = in[source[c]];
+        if (!color) continue;
+        const std::array<float, 3> rgb{out[0], out[1], out[2]};
+        for (int i = 0; i < 3; ++i)
+            out[i] = (*toSRGB)[i][0] * rgb[0] + (*toSRGB)[i][1] * rgb[1] + (*toSRGB)[i][2] * rgb[2];
+    }
+    return {std::move(display), {}};
+}
+
+OrError<Image> ReadImage(const std::string &fileName, std::optional<ColorEncoding> encoding) {
+    const FileContents file = ReadWholeFile(fileName);
+    if (!file.bytes) return {{}, file.error};
+    OrError<Image> image;
+    try {
+        image = Decode(*file.bytes, encoding.value_or(kSRGB));
+    } catch (const std::exception &e) {  // OpenEXR's, or out of memory
+        image.error = fmt::format("cannot be read: {}", e.what());
+    }
+    if (!image) return {{}, fmt::format("{}: {}", fileName, image.error)};
+    ImageMetadata &metadata = image.value->metadata;
+    if (metadata.fullResolution == Point2i{}) {
+        const Point2i size = image.value->Resolution();
+        metadata.fullResolution = size;
+        metadata.pixelBounds = {0, size.x, 0, size.y};
+    }
+    return image;
+}
+
+std::optional<std::string> WriteImage(const Image &image, const std::string &fileName,
+                                      ExrPixels pixels) {
+    OrError<std::string> bytes;
+    try {
+        bytes = Encode(image, Extension(fileName), pixels);
+    } catch (const std::exception &e) {
+        bytes.error = fmt::format("cannot be written: {}", e.what());
+    }
+    if (!bytes) return fmt::format("{}: {}", fileName, bytes.error);
+    return WriteFileAtomically(fileName, *bytes.value);
+}
+
+bool CanWriteImage(std::string_view fileName) {
+    const std::string extension = Extension(fileName);
+    return extension == "exr" || extension == "png" || extension == "pfm";
+}
+
+}  // namespace pbrt
