@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "pbrt/spectra/sampled_spectrum.h"
+#include "pbrt/util/check.h"
 
 namespace pbrt {
 
@@ -13,15 +15,23 @@ namespace pbrt {
 /// a smooth spectrum in [0, 1] (Jakob and Hanika 2019). c2 = +-infinity gives exactly 1 or 0.
 struct RGBSigmoid {
     float c0 = 0, c1 = 0, c2 = 0;
-    float operator()(float lambda) const;
-    SampledSpectrum Sample(const SampledWavelengths &lambda) const;
+    float operator()(float lambda) const { return AtLanes(SampledSpectrum(lambda))[0]; }
+    SampledSpectrum Sample(const SampledWavelengths &lambda) const {
+        return AtLanes(lambda.Lambda());
+    }
+    /// Greatest value in [LambdaMin, LambdaMax].
     float MaxValue() const;
+
+  private:
+    SampledSpectrum AtLanes(SampledSpectrum lambda) const;
 };
 
 /// Values at every whole nm from 360 to 830, linear between, 0 outside.
 struct DenseTable {
-    std::vector<float> values;  ///< 471 of them
-    float operator()(float lambda) const;
+    static constexpr int Size = 471;
+    std::vector<float> values;  ///< Size of them
+    float operator()(float lambda) const { return Sample(SampledSpectrum(lambda))[0]; }
+    SampledSpectrum Sample(SampledSpectrum lambda) const;
 };
 
 /// A spectral distribution over wavelengths in nm. A small value; tables are shared, immutable.
@@ -37,16 +47,23 @@ class Spectrum {
     /// scale * sigmoid(lambda) * table(lambda): an RGB colour under an illuminant.
     Spectrum(RGBSigmoid sigmoid, float scale, std::shared_ptr<const DenseTable> illuminant);
     static Spectrum Dense(std::shared_ptr<const DenseTable> table, float scale = 1);
-    /// Lambda strictly increasing; linear between, zero outside. Exact, slower than Dense.
+    /// `f(lambda)` at every whole nm from 360 to 830.
+    template <typename F>
+    static Spectrum DenselySampled(F f);
+    /// Lambda strictly increasing, as many values; linear between, zero outside. Exact, slower
+    /// than Dense.
     static Spectrum PiecewiseLinear(std::span<const float> lambda, std::span<const float> values);
-    /// Planck radiance at T kelvin, scaled to peak 1; T > 0.
+    /// Planck radiance at T kelvin, scaled to peak 1 (at 2897772 / T nm, wherever that is); T > 0.
     static Spectrum Blackbody(float kelvin);
+    /// CIE daylight of correlated colour temperature 4000 to 25000 K, 100 at 560 nm (CIE 015).
+    static Spectrum Daylight(float kelvin);
 
     float operator()(float lambda) const;
     SampledSpectrum Sample(const SampledWavelengths &lambda) const;
+    /// Greatest value in [LambdaMin, LambdaMax], that of whole nm where a table takes part.
     float MaxValue() const;
     bool IsConstant() const { return kind == Kind::Constant; }
-    /// This spectrum times s.
+    /// This spectrum times s >= 0.
     Spectrum Scaled(float s) const;
     /// The same in a table of 471 values: faster for lights. Illuminants round to whole nm.
     Spectrum Densely() const;
@@ -54,7 +71,10 @@ class Spectrum {
   private:
     struct Points {
         std::vector<float> lambda, values;
+        float operator()(float at) const;
     };
+    SampledSpectrum SamplePoints(SampledSpectrum lambda) const;
+
     Kind kind;
     float scale = 1;
     RGBSigmoid sigmoid;
@@ -62,9 +82,12 @@ class Spectrum {
     std::shared_ptr<const Points> points;
 };
 
+/// Planck's spectral radiance in W / (m^2 sr m) at `lambda` nm and `kelvin`, both > 0.
+double BlackbodyRadiance(double lambda, double kelvin);
+
 /// Integral of s times the CIE 1931 y matching function over 360-830 nm (1 nm sums).
 float SpectrumToPhotometric(const Spectrum &s);
-/// Integral of a(lambda) b(lambda).
+/// Integral of a(lambda) b(lambda) over 360-830 nm (1 nm sums).
 float InnerProduct(const Spectrum &a, const Spectrum &b);
 /// CIE XYZ of a spectrum, Y of the constant 1 being 1.
 struct XYZ {
@@ -83,5 +106,58 @@ const Spectrum &Z();
 /// `melanin` (MODEL section 2); nullptr where there is none.
 const Spectrum *GetNamedSpectrum(std::string_view name);
 std::span<const std::string_view> NamedSpectrumNames();
+
+// Hot paths.
+
+inline SampledSpectrum RGBSigmoid::AtLanes(SampledSpectrum lambda) const {
+    using Lanes = SampledSpectrum::Lanes;
+    const Lanes l = lambda.Values();
+    const Lanes polynomial = (c0 * l + c1) * l + c2;
+    // Beyond 2^30 the quotient is 1 in float anyway; infinity would give inf / inf.
+    const Lanes most = SampledSpectrum(0x1p30f).Values();
+    Lanes x = polynomial < most ? polynomial : most;
+    x = x > -most ? x : -most;
+    return SampledSpectrum(0.5f + 0.5f * (x / Sqrt(SampledSpectrum(1 + x * x)).Values()));
+}
+
+inline SampledSpectrum DenseTable::Sample(SampledSpectrum lambda) const {
+    using Lanes = SampledSpectrum::Lanes;
+    using Ints = int32_t __attribute__((vector_size(16)));
+    const Lanes x = lambda.Values() - LambdaMin;
+    const Ints inside = (x >= 0) & (x <= float(Size - 1));
+    const Lanes safe = inside ? x : Lanes{};
+    Ints i = __builtin_convertvector(safe, Ints);
+    i = i < Size - 2 ? i : Ints{} + (Size - 2);
+    const Lanes t = safe - __builtin_convertvector(i, Lanes);
+    const float *v = values.data();
+    const Lanes a{v[i[0]], v[i[1]], v[i[2]], v[i[3]]};
+    const Lanes b{v[i[0] + 1], v[i[1] + 1], v[i[2] + 1], v[i[3] + 1]};
+    return SampledSpectrum(inside ? a + t * (b - a) : Lanes{});
+}
+
+inline SampledSpectrum Spectrum::Sample(const SampledWavelengths &lambda) const {
+    switch (kind) {
+        case Kind::Constant:
+            return SampledSpectrum(scale);
+        case Kind::Sigmoid:
+            return sigmoid.Sample(lambda) * scale;
+        case Kind::SigmoidTimesTable:
+            return sigmoid.Sample(lambda) * scale * table->Sample(lambda.Lambda());
+        case Kind::Dense:
+            return table->Sample(lambda.Lambda()) * scale;
+        case Kind::PiecewiseLinear:
+            return SamplePoints(lambda.Lambda());
+    }
+    return SampledSpectrum(0.f);
+}
+
+template <typename F>
+Spectrum Spectrum::DenselySampled(F f) {
+    auto table = std::make_shared<DenseTable>();
+    table->values.reserve(DenseTable::Size);
+    for (int i = 0; i < DenseTable::Size; ++i)
+        table->values.push_back(float(f(LambdaMin + i)));
+    return Dense(std::move(table));
+}
 
 }  // namespace pbrt

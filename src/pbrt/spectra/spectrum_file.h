@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pbrt/image/image.h"
+
+namespace pbrt {
+
+/// Wavelengths (nm, strictly increasing) and values, as Spectrum::PiecewiseLinear takes them.
+struct SpectrumPoints {
+    std::vector<float> lambda, values;
+};
+
+/// Reads `lambda value` pairs separated by white space; `#` starts a comment up to the end of its
+/// line. Errors: unreadable file, a word that is not a finite number, no or an odd number of
+/// them, wavelengths that do not increase.
+OrError<SpectrumPoints> ReadSpectrumFile(const std::string &fileName);
+
+}  // namespace pbrt
