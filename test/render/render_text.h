@@ -1,0 +1,48 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "pbrt/cpu/build.h"
+#include "pbrt/cpu/render.h"
+
+namespace pbrt::test {
+
+/// What a test changes of a scene beside its text.
+struct RenderChanges {
+    int nThreads = 0;
+    int seed = 0;
+    std::optional<int> spp;
+    LightStrategy strategy = LightStrategy::Both;
+};
+
+/// Renders scene text; relative files start from the folder `dir`. Mistakes in it fail the test.
+inline Image RenderText(const std::string &text, const RenderChanges &changes = {},
+                        const std::string &dir = ".") {
+    Diagnostics log;
+    Description scene;
+    scene.options.seed = changes.seed;
+    ParseString(text, "test.pbrt", dir, scene, log);
+    Overrides overrides;
+    overrides.spp = changes.spp;
+    const std::unique_ptr<World> world = BuildWorld(scene, overrides, log);
+    for (const Message &m : log.Messages())
+        if (m.severity == Severity::Error) ADD_FAILURE() << m.text;
+    if (!world) return {};
+    world->path.strategy = changes.strategy;
+    EXPECT_TRUE(Render(*world, changes.nThreads, [](int64_t, int64_t) { return true; }));
+    return world->film.ToImage();
+}
+
+inline std::array<double, 3> Mean(const Image &image) {
+    std::array<double, 3> sum{};
+    const Point2i n = image.Resolution();
+    for (int y = 0; y < n.y; ++y)
+        for (int x = 0; x < n.x; ++x)
+            for (int c = 0; c < 3; ++c) sum[c] += image.Get({x, y}, c);
+    for (double &s : sum) s /= double(n.x) * n.y;
+    return sum;
+}
+
+}  // namespace pbrt::test
