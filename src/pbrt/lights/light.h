@@ -1,14 +1,9 @@
 #pragma once
 
-#include <memory>
 #include <optional>
-#include <span>
-#include <variant>
-#include <vector>
 
-#include "pbrt/shapes/shape.h"
-#include "pbrt/spectra/color.h"
 #include "pbrt/spectra/spectrum.h"
+#include "pbrt/util/vecmath.h"
 
 namespace pbrt {
 
@@ -22,23 +17,21 @@ struct LightSampleContext {
 struct LightLiSample {
     SampledSpectrum L;
     Vector3f wi;
-    float pdf;         ///< per unit solid angle; 1 for delta lights
-    Point3f pLight;    ///< end of the shadow ray (already moved off the light's surface)
-    bool delta;        ///< point, spot, distant: no BSDF sample can find it
+    float pdf;       ///< per unit solid angle; 1 for delta lights
+    Point3f pLight;  ///< end of the shadow ray (already moved off the light's surface)
+    bool delta;      ///< point, spot, distant: no BSDF sample can find it
 };
 
 // Each light type is a struct in its own file with these members:
 //   static constexpr std::string_view kName
 //   std::optional<LightLiSample> SampleLi(const LightSampleContext &, Point2f u,
 //                                         const SampledWavelengths &) const
-//   float PDF_Li(const LightSampleContext &, Vector3f wi) const         (infinite lights)
-//   SampledSpectrum Le(const Ray &, const SampledWavelengths &) const   (infinite lights)
-//   float Power() const     W-like, luminance-weighted, for choosing lights
-struct PointLight;
-struct SpotLight;
-struct DistantLight;
-struct UniformInfiniteLight;
-struct ImageInfiniteLight;
-struct DiffuseAreaLight;
+//   float Power() const     luminous flux (pbrt's units: 1 = one rgb unit), for choosing lights
+//   std::optional<LightBounds> Bounds() const     nullopt for light from infinity
+// and, where it has them:
+//   void Preprocess(Point3f center, float radius)       the scene's bounding sphere
+//   float PDF_Li(Vector3f wi) const                     infinite lights with an area
+//   SampledSpectrum Le(Vector3f d, const SampledWavelengths &) const
+// lights.h gathers them in the variant `Light`.
 
 }  // namespace pbrt

@@ -1,0 +1,63 @@
+#include "pbrt/lights/diffuse_area.h"
+
+namespace pbrt {
+namespace {
+
+Bounds3f PrimitiveBounds(const Shape &shape, uint32_t primitive) {
+    Bounds3f bounds;
+    if (const auto *mesh = std::get_if<TriangleMesh>(&shape)) {
+        for (size_t i = 0; i < 3; ++i)
+            bounds.Grow(mesh->p[mesh->indices[3 * size_t(primitive) + i]]);
+    } else if (const auto *patches = std::get_if<BilinearMesh>(&shape)) {
+        for (size_t i = 0; i < 4; ++i)
+            bounds.Grow(patches->p[patches->indices[4 * size_t(primitive) + i]]);
+    } else {
+        bounds = Bounds(shape);
+    }
+    return bounds;
+}
+
+}  // namespace
+
+std::vector<DiffuseAreaLight> DiffuseAreaLight::Create(ParamDict &params, const Shape &shape,
+                                                       const FloatTexture &alpha) {
+    const Emission emission = GetEmission(params, "L");
+    const EmissionScale scale = GetScale(params, "power", "lm");
+    const bool twoSided = params.GetOneBool("twosided", false);
+    const bool invisible = alpha.IsConstant() && alpha.Constant() == 0;
+    const auto surface = std::make_shared<const Surface>(
+        Surface{emission.spectrum, emission.luminance, &shape, twoSided,
+                invisible ? FloatTexture(1.f) : alpha, invisible});
+    std::vector<DiffuseAreaLight> lights(NPrimitives(shape));
+    for (uint32_t i = 0; i < uint32_t(lights.size()); ++i) {
+        const float flux = Pi * (twoSided ? 2 : 1) * Area(shape, i);
+        lights[i].surface = surface;
+        lights[i].primitive = i;
+        lights[i].scale = flux > 0 ? scale.For(flux) : 0;
+    }
+    return lights;
+}
+
+float DiffuseAreaLight::Opacity(const ShapeSample &at) const {
+    TextureEvalContext ctx;
+    ctx.p = at.p;
+    ctx.n = at.n;
+    ctx.uv = at.uv;
+    return std::clamp(surface->alpha.Evaluate(ctx), 0.f, 1.f);
+}
+
+float DiffuseAreaLight::Power() const {
+    return Pi * (surface->twoSided ? 2 : 1) * scale * surface->luminance *
+           Area(*surface->shape, primitive);
+}
+
+std::optional<LightBounds> DiffuseAreaLight::Bounds() const {
+    const NormalCone cone = NormalBounds(*surface->shape, primitive);
+    return LightBounds{PrimitiveBounds(*surface->shape, primitive),
+                       {cone.axis, cone.cosTheta},
+                       0,
+                       Power(),
+                       surface->twoSided};
+}
+
+}  // namespace pbrt

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "pbrt/lights/emission.h"
+#include "pbrt/lights/light.h"
+#include "pbrt/lights/light_bounds.h"
+#include "pbrt/util/transform.h"
+
+namespace pbrt {
+
+/// Parallel light; L is the irradiance on a surface across it.
+struct DistantLight {
+    static constexpr std::string_view kName = "distant";
+    static DistantLight Create(ParamDict &params, const Transform &renderFromLight);
+
+    void Preprocess(Point3f, float radius) { sceneRadius = radius; }
+    std::optional<LightLiSample> SampleLi(const LightSampleContext &ctx, Point2f,
+                                          const SampledWavelengths &lambda) const {
+        if (scale == 0) return std::nullopt;
+        return LightLiSample{irradiance->Sample(lambda) * scale, toLight, 1,
+                             ctx.p + (2 * sceneRadius) * toLight, true};
+    }
+    float Power() const { return Pi * Sqr(sceneRadius) * scale * luminance; }
+    std::optional<LightBounds> Bounds() const { return std::nullopt; }
+
+    std::shared_ptr<const Spectrum> irradiance;
+    Vector3f toLight;  ///< unit
+    float scale = 1;
+    float luminance = 0;
+    float sceneRadius = 1;
+};
+
+}  // namespace pbrt

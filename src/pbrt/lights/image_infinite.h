@@ -1,0 +1,81 @@
+#pragma once
+
+#include <vector>
+
+#include "pbrt/image/image.h"
+#include "pbrt/lights/emission.h"
+#include "pbrt/lights/light.h"
+#include "pbrt/lights/light_bounds.h"
+#include "pbrt/util/equal_area.h"
+#include "pbrt/util/piecewise_constant.h"
+#include "pbrt/util/transform.h"
+
+namespace pbrt {
+
+/// Radiance from infinity by a square equal-area octahedral picture, constant within each texel as
+/// in pbrt-v4.
+///
+/// Directions are drawn from the texels' luminance less its mean, cut at 0 (Karlik et al. 2019,
+/// "MIS Compensation"): dim parts are never drawn, so the estimate is right only together with
+/// BSDF sampling.
+struct ImageInfiniteLight {
+    static constexpr std::string_view kName = "infinite";
+    /// `scale` multiplies radiance. The picture has channels R, G, B, as many rows as columns,
+    /// finite values (below 0 counts as 0).
+    static ImageInfiniteLight FromImage(const Image &image, const RGBColorSpace &colorSpace,
+                                        float scale, const Transform &renderFromLight);
+    /// CIE Y that reaches an upward-facing (+z in light space) patch at scale 1.
+    static float Illuminance(const Image &image, const RGBColorSpace &colorSpace);
+
+    void Preprocess(Point3f, float radius) { sceneRadius = radius; }
+    std::optional<LightLiSample> SampleLi(const LightSampleContext &ctx, Point2f u,
+                                          const SampledWavelengths &lambda) const {
+        const PiecewiseConstant2D::Sample s = sky->directions.Draw(u);
+        const Vector3f w = sky->renderFromLight.Vector(EqualAreaSquareToSphere(s.p));
+        // Solid angle shrinks by |w|^3 / det under the transform.
+        const float length = Length(w);
+        const float pdf = s.pdf * (1 / (4 * Pi)) * (length * length * length) * sky->invDet;
+        const SampledSpectrum L = Radiance(s.step, lambda);
+        if (!(pdf > 0) || !L) return std::nullopt;
+        const Vector3f wi = w * (1 / length);
+        return LightLiSample{L, wi, pdf, ctx.p + (2 * sceneRadius) * wi, false};
+    }
+    float PDF_Li(Vector3f wi) const {
+        const Vector3f w = sky->lightFromRender.Vector(wi);
+        const float invLength = 1 / Length(w);
+        const Point2f p = EqualAreaSphereToSquare(w * invLength);
+        return sky->directions.PDF(p) * (1 / (4 * Pi)) * Sqr(invLength) * invLength * sky->invDet;
+    }
+    SampledSpectrum Le(Vector3f d, const SampledWavelengths &lambda) const {
+        const Vector3f w = sky->lightFromRender.Vector(d);
+        const Point2f p = EqualAreaSphereToSquare(w * (1 / Length(w)));
+        const int n = sky->resolution;
+        return Radiance({detail::StepAt(p.x, n), detail::StepAt(p.y, n)}, lambda);
+    }
+    float Power() const { return 4 * Sqr(Pi * sceneRadius) * sky->meanLuminance; }
+    std::optional<LightBounds> Bounds() const { return std::nullopt; }
+
+    struct Texel {
+        RGBSigmoid sigmoid;
+        float scale;
+    };
+    struct Sky {
+        Transform renderFromLight, lightFromRender;
+        float invDet;  ///< of renderFromLight, absolute
+        int resolution;
+        std::vector<Texel> texels;  ///< rows from v = 0
+        Spectrum illuminant;        ///< of the picture's colours, CIE-Y integral 1
+        PiecewiseConstant2D directions;
+        float meanLuminance;
+    };
+    SampledSpectrum Radiance(Point2i texel, const SampledWavelengths &lambda) const {
+        const Texel &t = sky->texels[size_t(texel.y) * size_t(sky->resolution) + size_t(texel.x)];
+        if (t.scale == 0) return SampledSpectrum(0.f);
+        return t.sigmoid.Sample(lambda) * sky->illuminant.Sample(lambda) * t.scale;
+    }
+
+    std::shared_ptr<const Sky> sky;
+    float sceneRadius = 1;
+};
+
+}  // namespace pbrt

@@ -1,0 +1,54 @@
+#include "pbrt/lights/light_bounds.h"
+
+namespace pbrt {
+namespace {
+
+float SafeACos(float x) {
+    return std::acos(std::clamp(x, -1.f, 1.f));
+}
+
+}  // namespace
+
+DirectionCone Union(const DirectionCone &a, const DirectionCone &b) {
+    const float thetaA = SafeACos(a.cosTheta), thetaB = SafeACos(b.cosTheta);
+    const float between = AngleBetween(a.axis, b.axis);
+    if (between + thetaB <= thetaA) return a;
+    if (between + thetaA <= thetaB) return b;
+    // The union spans thetaA beyond one axis to thetaB beyond the other; padded for rounding.
+    const float theta = (thetaA + between + thetaB) / 2 + 1e-5f;
+    if (theta >= Pi) return {a.axis, -1};
+    const Vector3f across = b.axis - Dot(a.axis, b.axis) * a.axis;
+    const float length = Length(across);
+    if (length == 0)
+        return between < 1 ? DirectionCone{a.axis, std::cos(theta)} : DirectionCone{a.axis, -1};
+    const float turn = theta - thetaA;
+    const Vector3f axis = Normalize(std::cos(turn) * a.axis + (std::sin(turn) / length) * across);
+    return {axis, std::cos(theta)};
+}
+
+LightBounds Union(const LightBounds &a, const LightBounds &b) {
+    if (a.power == 0) return b;
+    if (b.power == 0) return a;
+    LightBounds u = a;
+    u.bounds.Grow(b.bounds);
+    u.normals = Union(a.normals, b.normals);
+    u.cosTheta_e = std::min(a.cosTheta_e, b.cosTheta_e);
+    u.power += b.power;
+    u.twoSided |= b.twoSided;
+    return u;
+}
+
+LightCluster::LightCluster(const LightBounds &b)
+    : center(b.bounds.Center()),
+      // A little more than the sphere round the box, so that rounding leaves nothing outside.
+      radius2(LengthSquared(b.bounds.max - b.bounds.Center()) * 1.0001f),
+      axis(b.normals.axis),
+      cosTheta_o(b.normals.cosTheta),
+      cosTheta_e(b.cosTheta_e),
+      signedPower(b.twoSided ? -b.power : b.power) {}
+
+float LightBounds::Importance(Point3f p, Normal3f n) const {
+    return pbrt::Importance(LightCluster(*this), p, n);
+}
+
+}  // namespace pbrt

@@ -1,0 +1,63 @@
+#include "pbrt/lights/lights.h"
+
+#include "pbrt/lights/infinite.h"
+
+namespace pbrt {
+namespace {
+
+constexpr std::array<std::string_view, 4> kNames{PointLight::kName, SpotLight::kName,
+                                                 DistantLight::kName, UniformInfiniteLight::kName};
+constexpr std::array<std::string_view, 1> kAreaNames{DiffuseAreaLight::kName};
+
+std::optional<Light> CreateNamed(std::string_view type, ParamDict &params,
+                                 const Transform &renderFromLight) {
+    if (type == PointLight::kName) return PointLight::Create(params, renderFromLight);
+    if (type == SpotLight::kName) return SpotLight::Create(params, renderFromLight);
+    if (type == DistantLight::kName) return DistantLight::Create(params, renderFromLight);
+    const auto infinite = CreateInfiniteLight(params, renderFromLight);
+    if (!infinite) return std::nullopt;
+    return std::visit([](const auto &light) { return Light(light); }, *infinite);
+}
+
+}  // namespace
+
+std::span<const std::string_view> LightNames() {
+    return kNames;
+}
+std::span<const std::string_view> AreaLightNames() {
+    return kAreaNames;
+}
+
+std::optional<Light> CreateLight(std::string_view type, ParamDict &params,
+                                 const Transform &renderFromLight) {
+    if (std::find(kNames.begin(), kNames.end(), type) == kNames.end()) {
+        params.Error(UnknownName("light", type, kNames));
+        return std::nullopt;
+    }
+    std::optional<Light> light = CreateNamed(type, params, renderFromLight);
+    params.ReportUnused();
+    return light;
+}
+
+std::vector<Light> CreateAreaLights(std::string_view type, ParamDict &params, const Shape &shape,
+                                    const FloatTexture &alpha) {
+    if (type != DiffuseAreaLight::kName) {
+        params.Error(UnknownName("area light", type, kAreaNames));
+        return {};
+    }
+    const std::vector<DiffuseAreaLight> made = DiffuseAreaLight::Create(params, shape, alpha);
+    params.ReportUnused();
+    return {made.begin(), made.end()};
+}
+
+void Preprocess(Light &light, const Bounds3f &sceneBounds) {
+    const Point3f center = sceneBounds.Center();
+    const float radius = Length(sceneBounds.max - center);
+    std::visit(
+        [&](auto &l) {
+            if constexpr (requires { l.Preprocess(center, radius); }) l.Preprocess(center, radius);
+        },
+        light);
+}
+
+}  // namespace pbrt

@@ -1,0 +1,47 @@
+#include "pbrt/lights/spot.h"
+
+namespace pbrt {
+namespace {
+
+constexpr NumberRow kConeAngle{"coneangle", "degrees", 30, 0, 180, "half angle of the cone"};
+constexpr NumberRow kConeDelta{
+    "conedeltaangle", "degrees", 5, 0, 180, "width of the falloff inside the cone"};
+
+/// Solid angle of the cone, weighted by the falloff: a smooth step has the mean 1/2.
+float EffectiveSolidAngle(float cosStart, float cosEnd) {
+    return 2 * Pi * (1 - (cosStart + cosEnd) / 2);
+}
+
+}  // namespace
+
+SpotLight SpotLight::Create(ParamDict &params, const Transform &renderFromLight) {
+    const Emission emission = GetEmission(params, "I");
+    const Point3f from = params.GetOnePoint3f("from", {});
+    const Point3f to = params.GetOnePoint3f("to", {0, 0, 1});
+    if (from == to) params.Error("to", "\"from\" and \"to\" are the same point: no direction");
+    const float cone = params.GetOneFloat(kConeAngle), delta = params.GetOneFloat(kConeDelta);
+    // A delta beyond the cone counts from the other side, as in pbrt-v4.
+    const float start = std::min(std::abs(cone - delta), cone);
+    const float cosStart = std::cos(Radians(start)), cosEnd = std::cos(Radians(cone));
+    const Vector3f axis = from == to ? Vector3f{0, 0, 1} : Normalize(to - from);
+    SpotLight light;
+    light.beam = std::make_shared<Beam>(Beam{emission.spectrum, emission.luminance,
+                                             renderFromLight.Inverse(), axis, cosStart, cosEnd});
+    light.p = renderFromLight.Point(from);
+    light.scale = GetScale(params, "power", "lm").For(EffectiveSolidAngle(cosStart, cosEnd));
+    return light;
+}
+
+float SpotLight::Power() const {
+    return EffectiveSolidAngle(beam->cosStart, beam->cosEnd) * scale * beam->luminance;
+}
+
+std::optional<LightBounds> SpotLight::Bounds() const {
+    const Vector3f axis = Normalize(beam->lightFromRender.Inverse().Vector(beam->axis));
+    // The flux of a point light as bright as the beam: that is what its inside receives.
+    const float power = 4 * Pi * scale * beam->luminance;
+    const float cosFalloff = std::cos(std::acos(beam->cosEnd) - std::acos(beam->cosStart));
+    return LightBounds{{p, p}, {axis, beam->cosStart}, cosFalloff, power, false};
+}
+
+}  // namespace pbrt

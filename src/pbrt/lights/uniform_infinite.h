@@ -1,0 +1,32 @@
+#pragma once
+
+#include "pbrt/lights/emission.h"
+#include "pbrt/lights/light.h"
+#include "pbrt/lights/light_bounds.h"
+
+namespace pbrt {
+
+/// The same radiance from every direction. Never light-sampled: following the BSDF finds it at
+/// least as well.
+struct UniformInfiniteLight {
+    static constexpr std::string_view kName = "infinite";
+
+    void Preprocess(Point3f, float radius) { sceneRadius = radius; }
+    std::optional<LightLiSample> SampleLi(const LightSampleContext &, Point2f,
+                                          const SampledWavelengths &) const {
+        return std::nullopt;
+    }
+    float PDF_Li(Vector3f) const { return 0; }
+    SampledSpectrum Le(Vector3f, const SampledWavelengths &lambda) const {
+        return radiance->Sample(lambda) * scale;
+    }
+    float Power() const { return 4 * Sqr(Pi * sceneRadius) * scale * luminance; }
+    std::optional<LightBounds> Bounds() const { return std::nullopt; }
+
+    std::shared_ptr<const Spectrum> radiance;
+    float scale = 1;
+    float luminance = 0;
+    float sceneRadius = 1;
+};
+
+}  // namespace pbrt
