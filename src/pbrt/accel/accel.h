@@ -3,9 +3,11 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "pbrt/shapes/shape.h"
+#include "pbrt/textures/texture.h"
 
 namespace pbrt {
 
@@ -20,7 +22,8 @@ struct Geometry {
 
 struct Instance {
     uint32_t object;                       ///< index into the objects given to Accel
-    std::array<Transform, 2> renderFromObject;  ///< at shutter open and close
+    /// At shutter open and close; between them (Ray::time in [0, 1]) each matrix entry is linear.
+    std::array<Transform, 2> renderFromObject;
     bool moving = false;
 };
 
@@ -30,7 +33,8 @@ struct ObjectRange {
 };
 
 /// Called for each surface that passes light on a shadow ray's way. Returns the fraction that
-/// passes, per wavelength folded to one number, in [0, 1].
+/// passes, per wavelength folded to one number, in [0, 1]. `ray` is the query's own, also for hits
+/// in instances; hit.t runs along it.
 struct GapTransmittance {
     virtual float operator()(const Hit &hit, const Ray &ray) const = 0;
 
@@ -49,9 +53,13 @@ class Accel {
     Accel(Accel &&) noexcept;
     Accel &operator=(Accel &&) noexcept;
 
-    /// Nearest hit in (0, ray.tMax); alpha cut-outs are passed over, by a hash of ray and primitive.
+    /// Why it could not be built, as when memory ran out; empty where all is well. Queries are
+    /// allowed only then.
+    const std::string &Error() const;
+
+    /// Nearest hit in (0, ray.tMax]; alpha cut-outs are passed over, by a hash of ray and primitive.
     bool Intersect(const Ray &ray, Hit *hit) const;
-    /// True where anything opaque stands in (0, ray.tMax). One traversal.
+    /// True where anything opaque stands in (0, ray.tMax]. One traversal.
     bool Occluded(const Ray &ray) const;
     /// Fraction of light that passes along the ray: 0 where opaque, the product of `gaps` over
     /// surfaces with passesLight, any number of them. One traversal.

@@ -1,0 +1,264 @@
+#include "pbrt/accel/accel.h"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <deque>
+
+#include "pbrt/accel/user_geometry.h"
+
+namespace pbrt {
+
+struct Accel::Impl {
+    std::span<const Geometry> geometries;
+    std::span<const ObjectRange> objects;
+    std::span<const Instance> instances;
+    uint32_t nTop;
+    RTCDevice device = nullptr;
+    RTCScene scene = nullptr;
+    std::vector<RTCScene> objectScenes;
+    std::vector<GeometryRecord> records;  ///< one a geometry
+    std::deque<QuadricSet> quadrics;      ///< one a scene that has some
+    std::atomic<int64_t> bytes{0};
+    std::string error;
+
+    Impl(std::span<const Geometry> geometries, uint32_t nTop, std::span<const ObjectRange> objects,
+         std::span<const Instance> instances)
+        : geometries(geometries), objects(objects), instances(instances), nTop(nTop) {}
+    ~Impl();
+    Impl(const Impl &) = delete;
+    Impl &operator=(const Impl &) = delete;
+
+    void Build(int nThreads);
+    RTCScene NewScene(uint32_t first, uint32_t last, uint32_t quadricsId);
+    RTCGeometry NewGeometry(const GeometryRecord &record);
+    void AttachInstance(uint32_t index);
+    void Attach(RTCScene target, RTCGeometry geometry, uint32_t id);
+};
+
+namespace {
+
+void NoteError(void *user, RTCError code, const char *text) {
+    auto &error = *static_cast<std::string *>(user);
+    if (!error.empty()) return;
+    error = code == RTC_ERROR_OUT_OF_MEMORY
+                ? "not enough memory for the ray tracing structure"
+                : fmt::format("Embree: {} (error {})", text ? text : "", int(code));
+}
+
+bool NoteMemory(void *user, ssize_t bytes, bool) {
+    static_cast<std::atomic<int64_t> *>(user)->fetch_add(bytes, std::memory_order_relaxed);
+    return true;
+}
+
+const Transform *QuadricTransform(const Shape &shape) {
+    if (const auto *sphere = std::get_if<Sphere>(&shape)) return &sphere->renderFromObject;
+    if (const auto *disk = std::get_if<Disk>(&shape)) return &disk->renderFromObject;
+    if (const auto *cylinder = std::get_if<Cylinder>(&shape)) return &cylinder->renderFromObject;
+    return nullptr;
+}
+
+bool IsInvisible(const Geometry &g) {
+    return g.alpha.IsConstant() && g.alpha.Constant() <= 0;
+}
+
+/// Shares the points with Embree, which reads 16 bytes for each; a copy where the vector does not
+/// own the 4 bytes behind the last one.
+void SetPoints(RTCGeometry geometry, const std::vector<Point3f> &p) {
+    if (p.capacity() > p.size()) {
+        rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                   p.data(), 0, sizeof(Point3f), p.size());
+        return;
+    }
+    void *const copy = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
+                                               RTC_FORMAT_FLOAT3, sizeof(Point3f), p.size());
+    if (copy) std::copy(p.begin(), p.end(), static_cast<Point3f *>(copy));
+}
+
+RTCGeometry NewTriangles(RTCDevice device, const TriangleMesh &mesh) {
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                               mesh.indices.data(), 0, 3 * sizeof(uint32_t), mesh.NPrimitives());
+    SetPoints(geometry, mesh.p);
+    return geometry;
+}
+
+/// Embree counts a quad's corners round the edge, 00 10 11 01.
+RTCGeometry NewQuads(RTCDevice device, const BilinearMesh &mesh) {
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_QUAD);
+    SetPoints(geometry, mesh.p);
+    auto *const corners = static_cast<uint32_t *>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT4,
+                                4 * sizeof(uint32_t), mesh.NPrimitives()));
+    for (size_t i = 0; corners && i < mesh.indices.size(); i += 4) {
+        corners[i] = mesh.indices[i];
+        corners[i + 1] = mesh.indices[i + 1];
+        corners[i + 2] = mesh.indices[i + 3];
+        corners[i + 3] = mesh.indices[i + 2];
+    }
+    return geometry;
+}
+
+}  // namespace
+
+Accel::Impl::~Impl() {
+    if (scene) rtcReleaseScene(scene);
+    for (RTCScene s : objectScenes)
+        if (s) rtcReleaseScene(s);
+    if (device) rtcReleaseDevice(device);
+}
+
+void Accel::Impl::Build(int nThreads) {
+    const std::string config = nThreads > 0 ? fmt::format("threads={}", nThreads) : "";
+    device = rtcNewDevice(config.c_str());
+    if (!device) {
+        error = fmt::format("Embree does not start (error {})", int(rtcGetDeviceError(nullptr)));
+        return;
+    }
+    rtcSetDeviceErrorFunction(device, NoteError, &error);
+    rtcSetDeviceMemoryMonitorFunction(device, NoteMemory, &bytes);
+    records.reserve(geometries.size());
+    for (const Geometry &g : geometries) {
+        const bool hasAlpha = !g.alpha.IsConstant() || g.alpha.Constant() < 1;
+        records.push_back({&g, uint32_t(records.size()), uint32_t(records.size()), nTop, hasAlpha});
+    }
+    for (const ObjectRange &object : objects) {
+        objectScenes.push_back(
+            NewScene(object.first, object.last, object.last - object.first));
+        rtcCommitScene(objectScenes.back());
+    }
+    scene = NewScene(0, nTop, nTop + uint32_t(instances.size()));
+    for (uint32_t i = 0; i < instances.size(); ++i) AttachInstance(i);
+    rtcCommitScene(scene);
+}
+
+void Accel::Impl::Attach(RTCScene target, RTCGeometry geometry, uint32_t id) {
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(target, geometry, id);
+    rtcReleaseGeometry(geometry);
+}
+
+RTCGeometry Accel::Impl::NewGeometry(const GeometryRecord &record) {
+    const Shape &shape = record.geometry->shape;
+    RTCGeometry geometry;
+    if (const auto *triangles = std::get_if<TriangleMesh>(&shape)) {
+        geometry = NewTriangles(device, *triangles);
+    } else {
+        const auto &patches = *std::get_if<BilinearMesh>(&shape);
+        if (!patches.planar) return NewBentPatches(device, &record);
+        geometry = NewQuads(device, patches);
+    }
+    rtcSetGeometryUserData(geometry, const_cast<GeometryRecord *>(&record));
+    if (record.hasAlpha) rtcSetGeometryIntersectFilterFunction(geometry, FilterIntersection);
+    if (record.hasAlpha || record.geometry->passesLight)
+        rtcSetGeometryOccludedFilterFunction(geometry, FilterOcclusion);
+    return geometry;
+}
+
+/// Medium build quality: high splits triangles in space and would call filters twice for one.
+RTCScene Accel::Impl::NewScene(uint32_t first, uint32_t last, uint32_t quadricsId) {
+    RTCScene s = rtcNewScene(device);
+    rtcSetSceneBuildQuality(s, RTC_BUILD_QUALITY_MEDIUM);
+    QuadricSet set;
+    for (uint32_t i = first; i < last; ++i) {
+        GeometryRecord &record = records[i];
+        record.local = i - first;
+        if (IsInvisible(*record.geometry)) continue;
+        if (const Transform *const placed = QuadricTransform(record.geometry->shape))
+            set.push_back({record, ObjectFromRender(*placed)});
+        else
+            Attach(s, NewGeometry(record), record.local);
+    }
+    if (!set.empty()) {
+        quadrics.push_back(std::move(set));
+        Attach(s, NewQuadrics(device, &quadrics.back()), quadricsId);
+    }
+    return s;
+}
+
+void Accel::Impl::AttachInstance(uint32_t index) {
+    const Instance &instance = instances[index];
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
+    rtcSetGeometryInstancedScene(geometry, objectScenes[instance.object]);
+    const int keys = instance.moving ? 2 : 1;
+    rtcSetGeometryTimeStepCount(geometry, unsigned(keys));
+    for (int k = 0; k < keys; ++k)
+        rtcSetGeometryTransform(geometry, unsigned(k), RTC_FORMAT_FLOAT3X4_ROW_MAJOR,
+                                instance.renderFromObject[k].Matrix().data());
+    Attach(scene, geometry, nTop + index);
+}
+
+Accel::Accel(std::span<const Geometry> geometries, uint32_t nTop,
+             std::span<const ObjectRange> objects, std::span<const Instance> instances,
+             int nThreads)
+    : impl(std::make_unique<Impl>(geometries, nTop, objects, instances)) {
+    for (const Geometry &g : geometries) hasGaps |= g.passesLight && !IsInvisible(g);
+    impl->Build(nThreads);
+}
+
+Accel::~Accel() = default;
+Accel::Accel(Accel &&) noexcept = default;
+Accel &Accel::operator=(Accel &&) noexcept = default;
+
+const std::string &Accel::Error() const {
+    return impl->error;
+}
+
+namespace {
+
+void SetRay(const Ray &ray, RTCRay *r) {
+    r->org_x = ray.o.x, r->org_y = ray.o.y, r->org_z = ray.o.z;
+    r->tnear = 0;
+    r->dir_x = ray.d.x, r->dir_y = ray.d.y, r->dir_z = ray.d.z;
+    r->time = ray.time;
+    r->tfar = ray.tMax;
+    r->mask = ~0u;
+    r->id = 0;
+    r->flags = 0;
+}
+
+}  // namespace
+
+bool Accel::Intersect(const Ray &ray, Hit *hit) const {
+    RTCRayHit rh;
+    SetRay(ray, &rh.ray);
+    rh.hit.geomID = rh.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    QueryContext context(&ray, nullptr, nullptr);
+    Intersect1(impl->scene, &context.embree, &rh);
+    if (rh.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
+    *hit = {rh.ray.tfar, rh.hit.u, rh.hit.v, rh.hit.geomID, rh.hit.primID, ~0u};
+    if (rh.hit.instID[0] != RTC_INVALID_GEOMETRY_ID) {
+        hit->instance = rh.hit.instID[0] - impl->nTop;
+        hit->geometry += impl->objects[impl->instances[hit->instance].object].first;
+    }
+    return true;
+}
+
+bool Accel::Occluded(const Ray &ray) const {
+    RTCRay r;
+    SetRay(ray, &r);
+    QueryContext context(&ray, nullptr, nullptr);
+    Occluded1(impl->scene, &context.embree, &r);
+    return r.tfar < 0;
+}
+
+float Accel::Transmittance(const Ray &ray, const GapTransmittance &gaps) const {
+    RTCRay r;
+    SetRay(ray, &r);
+    double passed = 1;
+    QueryContext context(&ray, &gaps, &passed);
+    Occluded1(impl->scene, &context.embree, &r);
+    return r.tfar < 0 ? 0 : float(passed);
+}
+
+Bounds3f Accel::WorldBounds() const {
+    RTCBounds b;
+    rtcGetSceneBounds(impl->scene, &b);
+    return {{b.lower_x, b.lower_y, b.lower_z}, {b.upper_x, b.upper_y, b.upper_z}};
+}
+
+size_t Accel::MemoryBytes() const {
+    return size_t(std::max<int64_t>(0, impl->bytes.load()));
+}
+
+}  // namespace pbrt

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "pbrt/accel/accel.h"
+#include "pbrt/accel/embree_api.h"
+
+namespace pbrt {
+
+/// Travels with each query through Embree to the callbacks. `rays` and `passed` are indexed by the
+/// ray's id.
+struct QueryContext {
+    EmbreeContext embree;  ///< first: Embree hands back its address
+    const Ray *rays;
+    const GapTransmittance *gaps;  ///< null: surfaces with gaps are opaque
+    double *passed;  ///< product of gap fractions; in double, so that its order hardly matters
+
+    QueryContext(const Ray *rays, const GapTransmittance *gaps, double *passed)
+        : rays(rays), gaps(gaps), passed(passed) {
+        InitContext(&embree);
+    }
+    static QueryContext &Of(EmbreeContext *context) {
+        return *reinterpret_cast<QueryContext *>(context);
+    }
+};
+
+/// What the callbacks know of a geometry.
+struct GeometryRecord {
+    const Geometry *geometry;
+    uint32_t index;          ///< in World::geometries
+    uint32_t local;          ///< Embree's geometry ID within its scene
+    uint32_t firstInstance;  ///< Embree's ID of instance 0
+    bool hasAlpha;
+
+    Hit ToHit(float t, float u, float v, uint32_t primitive, const EmbreeContext &context) const {
+        const uint32_t id = context.instID[0];
+        return {t, u, v, index, primitive,
+                id == RTC_INVALID_GEOMETRY_ID ? ~0u : id - firstInstance};
+    }
+};
+
+/// Where alpha cuts the surface away at a hit. `ray` is in the geometry's space, `worldRay` as the
+/// query had it; `crossing` counts hits of one ray with one primitive.
+bool IsCutOut(const GeometryRecord &record, const Hit &hit, const Ray &ray, const Ray &worldRay,
+              int crossing);
+
+/// Whether a shadow ray ends at the hit; if not, notes what passes.
+bool Blocks(const GeometryRecord &record, const Hit &hit, const Ray &ray, QueryContext &context,
+            unsigned id, int crossing);
+
+// Embree's filters for geometries with alpha or gaps; user data: GeometryRecord.
+void FilterIntersection(const RTCFilterFunctionNArguments *args);
+void FilterOcclusion(const RTCFilterFunctionNArguments *args);
+
+}  // namespace pbrt

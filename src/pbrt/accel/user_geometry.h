@@ -1,0 +1,26 @@
+#pragma once
+
+#include <deque>
+#include <vector>
+
+#include "pbrt/accel/query.h"
+#include "pbrt/shapes/intersect.h"
+
+namespace pbrt {
+
+/// One sphere, disk or cylinder in a scene's set of them.
+struct QuadricRecord {
+    GeometryRecord common;
+    ObjectFromRender objectFromRender;
+};
+
+/// All quadrics of one Embree scene: one geometry, however many there are. Hits carry the
+/// quadric's own geometry ID.
+using QuadricSet = std::vector<QuadricRecord>;
+
+/// Makes the Embree geometry; the set must stay where it is.
+RTCGeometry NewQuadrics(RTCDevice device, const QuadricSet *quadrics);
+/// For meshes whose patches are not flat; the record must stay where it is.
+RTCGeometry NewBentPatches(RTCDevice device, const GeometryRecord *record);
+
+}  // namespace pbrt

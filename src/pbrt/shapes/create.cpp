@@ -1,0 +1,47 @@
+#include "pbrt/shapes/create.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "pbrt/shapes/shape.h"
+
+namespace pbrt {
+namespace {
+
+struct ShapeType {
+    std::string_view name;
+    std::vector<Shape> (*create)(const ShapeArguments &);
+};
+constexpr std::array kTypes{ShapeType{"trianglemesh", CreateTriangleMesh},
+                            ShapeType{"plymesh", CreatePlyMesh},
+                            ShapeType{"bilinearmesh", CreateBilinearMesh},
+                            ShapeType{"sphere", CreateSphere},
+                            ShapeType{"disk", CreateDisk},
+                            ShapeType{"cylinder", CreateCylinder}};
+
+constexpr auto kNames = [] {
+    std::array<std::string_view, kTypes.size()> names;
+    for (size_t i = 0; i < names.size(); ++i) names[i] = kTypes[i].name;
+    return names;
+}();
+
+}  // namespace
+
+std::span<const std::string_view> ShapeNames() {
+    return kNames;
+}
+
+std::vector<Shape> CreateShapes(const ShapeEntity &entity, ParamDict &params,
+                                const Transform &renderFromObject) {
+    for (const ShapeType &type : kTypes)
+        if (type.name == entity.type) return type.create({entity, params, renderFromObject});
+    params.Error(fmt::format("unknown shape \"{}\"{} expected {}", entity.type,
+                             DidYouMean(entity.type, kNames).empty()
+                                 ? ";"
+                                 : DidYouMean(entity.type, kNames) + " -",
+                             QuotedList(kNames)));
+    return {};
+}
+
+}  // namespace pbrt

@@ -1,0 +1,170 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "pbrt/shapes/bilinear.h"
+#include "pbrt/shapes/create.h"
+
+namespace pbrt {
+namespace {
+
+/// Reads what the two meshes have in common and reports what does not fit.
+class MeshReader {
+  public:
+    MeshReader(const ShapeArguments &a, int corners) : params(a.params), corners(corners) {}
+
+    bool PointsAndIndices(std::vector<Point3f> *p, std::vector<uint32_t> *indices) {
+        *p = params.GetPoint3fArray("P");
+        const std::vector<int> given = params.GetIntArray("indices");
+        if (p->empty()) return Fail("", fmt::format("{} needs \"point3 P\"", params.What()));
+        if (given.empty() && p->size() != size_t(corners))
+            return Fail("", fmt::format("{} needs \"integer indices\", for it has {} points and "
+                                        "not {}",
+                                        params.What(), p->size(), corners));
+        if (given.size() % corners != 0)
+            return Fail("indices", fmt::format("\"integer indices\": {} values are not a multiple "
+                                               "of {}",
+                                               given.size(), corners));
+        for (size_t i = 0; i < given.size(); ++i)
+            if (given[i] < 0 || size_t(given[i]) >= p->size())
+                return Fail("indices",
+                            fmt::format("\"integer indices\": value {} is {}, but \"P\" has {} "
+                                        "points (0 to {})",
+                                        i, given[i], p->size(), p->size() - 1));
+        indices->assign(given.begin(), given.end());
+        for (int i = 0; given.empty() && i < corners; ++i) indices->push_back(uint32_t(i));
+        return true;
+    }
+
+    /// An optional array; its length must be `count`.
+    template <typename T>
+    void Check(std::string_view type, std::string_view name, std::string_view of, size_t count,
+               const std::vector<T> &values) {
+        if (!values.empty() && values.size() != count)
+            Fail(name, fmt::format("\"{} {}\": {} values for {} {}", type, name, values.size(),
+                                   count, of));
+    }
+
+    bool Fail(std::string_view name, std::string_view message) {
+        if (name.empty())
+            params.Error(message);
+        else
+            params.Error(name, message);
+        return ok = false;
+    }
+    bool Ok() const { return ok; }
+
+  private:
+    ParamDict &params;
+    int corners;
+    bool ok = true;
+};
+
+template <typename Mesh>
+std::vector<Shape> Finish(const ShapeArguments &a, Mesh mesh) {
+    const auto wrong = PlaceMesh(a.renderFromObject, a.entity.reverseOrientation, &mesh);
+    if (wrong) {
+        a.params.Error(fmt::format("{}: {}", a.params.What(), *wrong));
+        return {};
+    }
+    std::vector<Shape> shapes;
+    shapes.emplace_back(std::move(mesh));
+    return shapes;
+}
+
+bool IsFinite(Vector3f v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// Moves points and normals. Embree reads 16 bytes for the last vertex of 12.
+template <typename Mesh>
+std::optional<std::string> PlaceCommon(const Transform &t, bool reverse, Mesh *mesh) {
+    mesh->p.reserve(mesh->p.size() + 1);
+    for (size_t i = 0; i < mesh->p.size(); ++i) {
+        const Point3f before = mesh->p[i];
+        mesh->p[i] = t.Point(before);
+        if (!IsFinite(mesh->p[i]))
+            return fmt::format("point {} is not finite: ({}, {}, {}) placed at ({}, {}, {})", i,
+                               before.x, before.y, before.z, mesh->p[i].x, mesh->p[i].y,
+                               mesh->p[i].z);
+    }
+    for (size_t i = 0; i < mesh->n.size(); ++i) {
+        if (!IsFinite(mesh->n[i])) return fmt::format("normal {} is not finite", i);
+        const Normal3f n = UnitOr(t.Normal(UnitOr(mesh->n[i], {})), {});
+        mesh->n[i] = reverse ? -n : n;
+    }
+    for (size_t i = 0; i < mesh->uv.size(); ++i)
+        if (!std::isfinite(mesh->uv[i].x) || !std::isfinite(mesh->uv[i].y))
+            return fmt::format("uv {} is not finite", i);
+    mesh->flipNormal = reverse != t.SwapsHandedness();
+    return {};
+}
+
+/// Flat to 1e-6 of its size and strictly convex, so that the two triangles cover what the bilinear
+/// map covers, and the map can be inverted everywhere.
+bool IsPlanar(const Patch &q) {
+    const Vector3f e10 = q.p10 - q.p00, e01 = q.p01 - q.p00, f01 = q.p11 - q.p10,
+                   f10 = q.p11 - q.p01;
+    const Vector3f corners[4] = {Cross(e10, e01), Cross(e10, f01), Cross(f10, e01),
+                                 Cross(f10, f01)};
+    const Vector3f sum = corners[0] + corners[1] + corners[2] + corners[3];
+    const Vector3f n = UnitOr(sum, {});
+    const float size = std::max(Length(q.p11 - q.p00), Length(q.p10 - q.p01));
+    for (const Vector3f &c : corners)
+        if (!(Dot(c, n) > 1e-3f * size * size)) return false;
+    return AbsDot(n, q.p11 - q.p00) <= 1e-6f * size && AbsDot(n, e10) <= 1e-6f * size &&
+           AbsDot(n, e01) <= 1e-6f * size;
+}
+
+}  // namespace
+
+std::optional<std::string> PlaceMesh(const Transform &renderFromObject, bool reverseOrientation,
+                                     TriangleMesh *mesh) {
+    if (auto wrong = PlaceCommon(renderFromObject, reverseOrientation, mesh)) return wrong;
+    for (size_t i = 0; i < mesh->s.size(); ++i) {
+        mesh->s[i] = renderFromObject.Vector(mesh->s[i]);
+        if (!IsFinite(mesh->s[i])) return fmt::format("tangent {} is not finite", i);
+    }
+    return {};
+}
+
+std::optional<std::string> PlaceMesh(const Transform &renderFromObject, bool reverseOrientation,
+                                     BilinearMesh *mesh) {
+    if (auto wrong = PlaceCommon(renderFromObject, reverseOrientation, mesh)) return wrong;
+    mesh->planar = true;
+    for (size_t i = 0; i < mesh->NPrimitives() && mesh->planar; ++i)
+        mesh->planar = IsPlanar(GetPatch(*mesh, uint32_t(i)));
+    return {};
+}
+
+std::vector<Shape> CreateTriangleMesh(const ShapeArguments &a) {
+    MeshReader reader(a, 3);
+    TriangleMesh mesh;
+    mesh.n = a.params.GetNormalArray("N");
+    mesh.s = a.params.GetVector3fArray("S");
+    mesh.uv = a.params.GetPoint2fArray("uv");
+    mesh.faceIndices = a.params.GetIntArray("faceIndices");
+    if (!reader.PointsAndIndices(&mesh.p, &mesh.indices)) return {};
+    reader.Check("normal", "N", "points", mesh.p.size(), mesh.n);
+    reader.Check("vector3", "S", "points", mesh.p.size(), mesh.s);
+    reader.Check("point2", "uv", "points", mesh.p.size(), mesh.uv);
+    reader.Check("integer", "faceIndices", "triangles", mesh.NPrimitives(), mesh.faceIndices);
+    if (!reader.Ok()) return {};
+    return Finish(a, std::move(mesh));
+}
+
+std::vector<Shape> CreateBilinearMesh(const ShapeArguments &a) {
+    MeshReader reader(a, 4);
+    BilinearMesh mesh;
+    mesh.n = a.params.GetNormalArray("N");
+    mesh.uv = a.params.GetPoint2fArray("uv");
+    mesh.faceIndices = a.params.GetIntArray("faceIndices");
+    if (!reader.PointsAndIndices(&mesh.p, &mesh.indices)) return {};
+    reader.Check("normal", "N", "points", mesh.p.size(), mesh.n);
+    reader.Check("point2", "uv", "points", mesh.p.size(), mesh.uv);
+    reader.Check("integer", "faceIndices", "patches", mesh.NPrimitives(), mesh.faceIndices);
+    if (!reader.Ok()) return {};
+    return Finish(a, std::move(mesh));
+}
+
+}  // namespace pbrt

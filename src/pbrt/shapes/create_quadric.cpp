@@ -1,0 +1,104 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "pbrt/shapes/create.h"
+
+namespace pbrt {
+namespace {
+
+/// Parameters that quadrics share, each with its check.
+class QuadricReader {
+  public:
+    explicit QuadricReader(const ShapeArguments &a) : a(a) {
+        const auto &m = a.renderFromObject.Matrix();
+        if (m[3] != std::array<float, 4>{0, 0, 0, 1})
+            Fail("", "cannot be placed by a perspective transform");
+    }
+
+    float Radius() {
+        const float radius = a.params.GetOneFloat("radius", 1);
+        if (!(radius > 0 && radius < Infinity))
+            Fail("radius", fmt::format("\"float radius\": {} is not more than 0", radius));
+        return radius;
+    }
+
+    /// In radians, (0, 2 pi].
+    float PhiMax() {
+        const float degrees = a.params.GetOneFloat("phimax", 360);
+        if (!(degrees > 0 && degrees <= 360))
+            Fail("phimax", fmt::format("\"float phimax\": {} is outside (0, 360] deg", degrees));
+        return degrees >= 360 ? 2 * Pi : Radians(degrees);
+    }
+
+    /// zmin < zmax.
+    void ZRange(float *zMin, float *zMax) {
+        *zMin = a.params.GetOneFloat("zmin", *zMin);
+        *zMax = a.params.GetOneFloat("zmax", *zMax);
+        if (!(*zMin < *zMax))
+            Fail(a.params.Has("zmin", "float") ? "zmin" : "zmax",
+                 fmt::format("zmin, {}, is not less than zmax, {}", *zMin, *zMax));
+    }
+
+    void Fail(std::string_view name, std::string_view message) {
+        if (name.empty())
+            a.params.Error(fmt::format("{} {}", a.params.What(), message));
+        else
+            a.params.Error(name, message);
+        ok = false;
+    }
+
+    template <typename Q>
+    std::vector<Shape> Finish(Q quadric) const {
+        if (!ok) return {};
+        quadric.renderFromObject = a.renderFromObject;
+        quadric.flipNormal = a.entity.reverseOrientation;
+        return {Shape(quadric)};
+    }
+
+  private:
+    const ShapeArguments &a;
+    bool ok = true;
+};
+
+}  // namespace
+
+std::vector<Shape> CreateSphere(const ShapeArguments &a) {
+    QuadricReader reader(a);
+    Sphere s;
+    s.radius = reader.Radius();
+    s.zMin = -s.radius;
+    s.zMax = s.radius;
+    reader.ZRange(&s.zMin, &s.zMax);
+    if (s.zMin >= s.radius || s.zMax <= -s.radius)
+        reader.Fail("zmin", fmt::format("zmin, {}, to zmax, {}, leaves nothing of the radius, {}",
+                                        s.zMin, s.zMax, s.radius));
+    s.zMin = std::max(s.zMin, -s.radius);
+    s.zMax = std::min(s.zMax, s.radius);
+    s.phiMax = reader.PhiMax();
+    return reader.Finish(s);
+}
+
+std::vector<Shape> CreateDisk(const ShapeArguments &a) {
+    QuadricReader reader(a);
+    Disk d;
+    d.height = a.params.GetOneFloat("height", 0);
+    d.radius = reader.Radius();
+    d.innerRadius = a.params.GetOneFloat("innerradius", 0);
+    if (!(d.innerRadius >= 0 && d.innerRadius < d.radius))
+        reader.Fail("innerradius", fmt::format("\"float innerradius\": {} is outside [0, {})",
+                                               d.innerRadius, d.radius));
+    d.phiMax = reader.PhiMax();
+    return reader.Finish(d);
+}
+
+std::vector<Shape> CreateCylinder(const ShapeArguments &a) {
+    QuadricReader reader(a);
+    Cylinder c;
+    c.radius = reader.Radius();
+    reader.ZRange(&c.zMin, &c.zMax);
+    c.phiMax = reader.PhiMax();
+    return reader.Finish(c);
+}
+
+}  // namespace pbrt

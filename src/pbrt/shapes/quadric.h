@@ -1,0 +1,101 @@
+#pragma once
+
+#include <algorithm>
+
+#include "pbrt/shapes/rounding.h"
+#include "pbrt/shapes/surface_point.h"
+#include "pbrt/shapes/types.h"
+
+namespace pbrt {
+
+// Quadrics are intersected and placed in double precision (object space coordinates are never
+// rounded to float), so that the error of a hit is that of rounding its position once.
+
+/// Where a ray's hit lies in object space.
+inline Vector3d ObjectPoint(const Transform &renderFromObject, const Hit &hit, const Ray &ray) {
+    return PointInDouble(renderFromObject.InverseMatrix(),
+                         ToDouble(ray.o) + double(hit.t) * ToDouble(ray.d));
+}
+
+/// Angle about z in [0, 2 pi].
+inline float Azimuth(float x, float y) {
+    const float phi = std::atan2(y, x);
+    return phi < 0 ? phi + 2 * Pi : phi;
+}
+
+/// Fills in what all quadrics share, from object space quantities; n: outward, any length.
+template <bool kWithError>
+inline SurfacePoint PlaceQuadric(const Transform &renderFromObject, Vector3d p, Normal3f n,
+                                 bool flipNormal, Vector3f dpdu, Vector3f dpdv, Point2f uv) {
+    SurfacePoint s;
+    s.p = ToFloat(PointInDouble(renderFromObject.Matrix(), p));
+    // Rounding of p and of the spawned origin; where large terms cancelled, of double as well.
+    if constexpr (kWithError)
+        s.pError = Gamma(3) * Abs(s.p) + 4e-15f * AbsPoint(renderFromObject.Matrix(), ToFloat(p));
+    const Normal3f up = Normalize(renderFromObject.Normal(n));
+    s.n = s.ns = flipNormal ? -up : up;
+    s.dpdu = s.dpdus = renderFromObject.Vector(dpdu);
+    s.dpdv = renderFromObject.Vector(dpdv);
+    s.uv = {std::clamp(uv.x, 0.f, 1.f), std::clamp(uv.y, 0.f, 1.f)};
+    return s;
+}
+
+/// Polar angles of a sphere's lower and upper rim, pi and 0 where it is whole.
+inline float ThetaZMin(const Sphere &s) {
+    return s.zMin <= -s.radius ? Pi : std::acos(s.zMin / s.radius);
+}
+inline float ThetaZMax(const Sphere &s) {
+    return s.zMax >= s.radius ? 0 : std::acos(s.zMax / s.radius);
+}
+
+/// (u, v) of a point on the sphere in object space: u along the azimuth, v from zmin to zmax.
+inline Point2f SphereUV(const Sphere &sphere, Vector3f p) {
+    const float thetaMin = ThetaZMin(sphere), thetaMax = ThetaZMax(sphere);
+    const float theta = std::atan2(std::sqrt(Sqr(p.x) + Sqr(p.y)), p.z);
+    return {Azimuth(p.x, p.y) / sphere.phiMax, (theta - thetaMin) / (thetaMax - thetaMin)};
+}
+
+template <bool kWithError>
+inline SurfacePoint InteractSphere(const Sphere &sphere, const Hit &hit, const Ray &ray) {
+    Vector3d p = ObjectPoint(sphere.renderFromObject, hit, ray);
+    p = p * (sphere.radius / Length(p));
+    const Vector3f q = ToFloat(p);
+    // At the poles dpdu vanishes; keep a direction.
+    const float rho = std::sqrt(Sqr(q.x) + Sqr(q.y)), least = 1e-5f * sphere.radius;
+    const float cosPhi = rho > least ? q.x / rho : 1, sinPhi = rho > least ? q.y / rho : 0;
+    const float dTheta = ThetaZMax(sphere) - ThetaZMin(sphere);
+    const Vector3f dpdu = sphere.phiMax * std::max(rho, least) * Vector3f{-sinPhi, cosPhi, 0};
+    const Vector3f dpdv = dTheta * Vector3f{q.z * cosPhi, q.z * sinPhi, -rho};
+    return PlaceQuadric<kWithError>(sphere.renderFromObject, p, q, sphere.flipNormal, dpdu, dpdv,
+                                    SphereUV(sphere, q));
+}
+
+template <bool kWithError>
+inline SurfacePoint InteractDisk(const Disk &disk, const Hit &hit, const Ray &ray) {
+    Vector3d p = ObjectPoint(disk.renderFromObject, hit, ray);
+    p.z = disk.height;
+    const float x = float(p.x), y = float(p.y), width = disk.radius - disk.innerRadius;
+    const float r = std::sqrt(Sqr(x) + Sqr(y)), least = 1e-5f * disk.radius;
+    const float cosPhi = r > least ? x / r : 1, sinPhi = r > least ? y / r : 0;
+    const Vector3f dpdu = disk.phiMax * std::max(r, least) * Vector3f{-sinPhi, cosPhi, 0};
+    const Vector3f dpdv = -width * Vector3f{cosPhi, sinPhi, 0};
+    return PlaceQuadric<kWithError>(
+        disk.renderFromObject, p, {0, 0, 1}, disk.flipNormal, dpdu, dpdv,
+        {Azimuth(x, y) / disk.phiMax, (disk.radius - r) / width});
+}
+
+template <bool kWithError>
+inline SurfacePoint InteractCylinder(const Cylinder &cylinder, const Hit &hit, const Ray &ray) {
+    Vector3d p = ObjectPoint(cylinder.renderFromObject, hit, ray);
+    const double toSurface = cylinder.radius / std::sqrt(p.x * p.x + p.y * p.y);
+    p.x *= toSurface;
+    p.y *= toSurface;
+    const Vector3f q = ToFloat(p);
+    const float height = cylinder.zMax - cylinder.zMin;
+    return PlaceQuadric<kWithError>(
+        cylinder.renderFromObject, p, {q.x, q.y, 0}, cylinder.flipNormal,
+        cylinder.phiMax * Vector3f{-q.y, q.x, 0}, {0, 0, height},
+        {Azimuth(q.x, q.y) / cylinder.phiMax, (q.z - cylinder.zMin) / height});
+}
+
+}  // namespace pbrt

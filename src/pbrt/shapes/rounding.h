@@ -1,0 +1,64 @@
+#pragma once
+
+#include "pbrt/util/transform.h"
+#include "pbrt/util/vecmath.h"
+
+namespace pbrt {
+
+using Vector3d = Vec3<double>;
+
+inline Vector3d ToDouble(Vector3f v) { return {v.x, v.y, v.z}; }
+inline Vector3f ToFloat(Vector3d v) { return {float(v.x), float(v.y), float(v.z)}; }
+
+/// m applied to a point without float rounding; m is affine.
+inline Vector3d PointInDouble(const Matrix4 &m, Vector3d p) {
+    return {m[0][0] * p.x + m[0][1] * p.y + m[0][2] * p.z + m[0][3],
+            m[1][0] * p.x + m[1][1] * p.y + m[1][2] * p.z + m[1][3],
+            m[2][0] * p.x + m[2][1] * p.y + m[2][2] * p.z + m[2][3]};
+}
+
+/// |m| applied to |p|: the size of what PointInDouble and Transform::Point sum up.
+inline Vector3f AbsPoint(const Matrix4 &m, Point3f p) {
+    const auto row = [&](int i) {
+        return std::abs(m[i][0] * p.x) + std::abs(m[i][1] * p.y) + std::abs(m[i][2] * p.z) +
+               std::abs(m[i][3]);
+    };
+    return {row(0), row(1), row(2)};
+}
+inline Vector3f AbsVector(const Matrix4 &m, Vector3f v) {
+    const auto row = [&](int i) {
+        return std::abs(m[i][0] * v.x) + std::abs(m[i][1] * v.y) + std::abs(m[i][2] * v.z);
+    };
+    return {row(0), row(1), row(2)};
+}
+
+/// Cross(a, b) normalised, through double where float would under- or overflow; (0, 0, 1) where
+/// the vectors are parallel.
+inline Normal3f UnitCross(Vector3f a, Vector3f b) {
+    const Vector3f c = Cross(a, b);
+    const float l2 = LengthSquared(c);
+    if (l2 > 1e-30f && l2 < 1e30f) return c * (1 / std::sqrt(l2));
+    const Vector3d d = Cross(ToDouble(a), ToDouble(b));
+    const double length2 = LengthSquared(d);
+    return length2 > 0 ? ToFloat(d * (1 / std::sqrt(length2))) : Normal3f{0, 0, 1};
+}
+
+/// v normalised, or `other` where v has no direction.
+inline Vector3f UnitOr(Vector3f v, Vector3f other) {
+    const float l2 = LengthSquared(v);
+    return l2 > 1e-30f && l2 < 1e30f ? v * (1 / std::sqrt(l2)) : other;
+}
+
+/// How far from a triangle's plane a ray's origin must be, per axis, for Embree's test in float
+/// (fast mode: t = (p0 - o).Ng / d.Ng, Ng from rounded edges) to get its side right. With the edges
+/// e1, e2 at corner p0, the true |Ng| and a point p of the plane: each of the products that make up
+/// (p0 - o).Ng carries at most 8 roundings.
+inline Vector3f PlaneTestError(Point3f p, Point3f p0, Vector3f e1, Vector3f e2, Normal3f n,
+                               float lengthNg) {
+    const Vector3f c = Abs(p0 - p), a = Abs(e1), b = Abs(e2);
+    const float products = c.x * (a.y * b.z + a.z * b.y) + c.y * (a.z * b.x + a.x * b.z) +
+                           c.z * (a.x * b.y + a.y * b.x);
+    return lengthNg > 0 ? Abs(n) * (Gamma(8) * products / lengthNg) : Vector3f{};
+}
+
+}  // namespace pbrt
