@@ -39,11 +39,11 @@ Entity Parser::EntityOfType(std::string type) {
             builder.ColorSpace()};
 }
 
-bool Parser::NextNumber(float *value, std::string_view what) {
+bool Parser::NextNumber(float *value, std::string_view which) {
     const Token &t = lexer->Peek();
-    if (t.kind != TokenKind::Word || IsDirective(t)) return Expected(what), false;
+    if (t.kind != TokenKind::Word || IsDirective(t)) return Expected(which), false;
     const std::optional<float> number = ParseFloat(t.text);
-    if (!number) Error(lexer->Loc(), fmt::format("{} (expected {})", WhyNotFloat(t.text), what));
+    if (!number) Error(lexer->Loc(), fmt::format("{}: {}", which, WhyNotFloat(t.text)));
     *value = number.value_or(0);
     lexer->Advance();
     return number.has_value();
@@ -51,10 +51,11 @@ bool Parser::NextNumber(float *value, std::string_view what) {
 
 std::optional<std::vector<float>> Parser::Numbers(std::span<const std::string_view> labels) {
     std::vector<float> numbers(labels.size());
-    for (size_t i = 0; i < labels.size(); ++i)
-        if (!NextNumber(&numbers[i],
-                        fmt::format("number {} of {}: {}", i + 1, labels.size(), labels[i])))
-            return Resynchronise(), std::nullopt;
+    for (size_t i = 0; i < labels.size(); ++i) {
+        const std::string which =
+            fmt::format("number {} of {} ({})", i + 1, labels.size(), labels[i]);
+        if (!NextNumber(&numbers[i], which)) return Resynchronise(), std::nullopt;
+    }
     return numbers;
 }
 

@@ -46,7 +46,6 @@ class InstanceCycles {
 
 void SceneBuilder::Finish() {
     ReportUnclosed();
-    if (!inWorld) log->Error({}, "the scene ends without WorldBegin");
     CheckMaterialUses();
     CheckInstanceUses();
 }

@@ -56,7 +56,7 @@ constexpr std::array kDirectives{
     Directive{"TransformEnd", InWorld, &Parser::TransformEnd},
     Directive{"TransformTimes", BeforeWorld, &Parser::TransformTimes},
     Directive{"Translate", Anywhere, &Parser::Translate},
-    Directive{"WorldBegin", BeforeWorld, &Parser::WorldBegin},
+    Directive{"WorldBegin", Anywhere, &Parser::WorldBegin},
 };
 
 constexpr std::array<std::string_view, kDirectives.size()> kNames = [] {
@@ -124,20 +124,26 @@ void Parser::ColorSpace() {
 
 void Parser::Attribute() {
     const FileLoc loc = lexer->Loc();
-    const std::optional<std::string> target = Name("the target's name");
-    if (!target) return;
+    const std::optional<std::string> name = Name("the target's name");
+    if (!name) return;
+    const auto target = std::find(kAttributeTargets.begin(), kAttributeTargets.end(), *name);
+    const bool known = target != kAttributeTargets.end();
+    if (!known)
+        Error(loc, fmt::format("\"{}\" is not one of {}{}", *name, QuotedList(kAttributeTargets),
+                               DidYouMean(*name, kAttributeTargets)));
     ParsedParameters list = parameters.Read(*lexer, builder.ColorSpace());
-    for (size_t i = 0; i < kAttributeTargets.size(); ++i)
-        if (kAttributeTargets[i] == *target)
-            return builder.AddAttribute(AttributeTarget(i), std::move(list));
-    Error(loc, fmt::format("\"{}\" is not one of {}{}", *target, QuotedList(kAttributeTargets),
-                           DidYouMean(*target, kAttributeTargets)));
+    if (known)
+        builder.AddAttribute(AttributeTarget(target - kAttributeTargets.begin()), std::move(list));
 }
 
 void Parser::ReverseOrientation() {
     builder.ReverseOrientation();
 }
 void Parser::WorldBegin() {
+    if (builder.InWorld())
+        return log->Error(at, fmt::format("a second WorldBegin; the first is at {}:{}:{}",
+                                          worldBegin.file, worldBegin.line, worldBegin.column));
+    worldBegin = at;
     builder.WorldBegin();
 }
 
@@ -208,16 +214,16 @@ void Parser::NamedMaterial() {
 void Parser::Texture() {
     constexpr std::array<std::string_view, 2> kKinds{"float", "spectrum"};
     const std::optional<std::string> name = Name("the texture's name");
-    const FileLoc kindLoc = lexer->Loc();
+    const FileLoc loc = lexer->Loc();
     const std::optional<std::string> kind = name ? Name("\"float\" or \"spectrum\"") : std::nullopt;
     if (!kind) return;
-    std::optional<Entity> e = NamedEntity("the texture's class");
-    if (!e) return;
-    if (*kind == kKinds[0] || *kind == kKinds[1])
-        return builder.Texture(*name, *kind == kKinds[0], std::move(*e));
-    Error(kindLoc, fmt::format("\"{}\" is not one of {}{}", *kind, QuotedList(kKinds),
+    const bool known = *kind == kKinds[0] || *kind == kKinds[1];
+    if (!known)
+        Error(loc, fmt::format("\"{}\" is not one of {}{}", *kind, QuotedList(kKinds),
                                *kind == "color" ? "; pbrt-v4 calls it \"spectrum\""
                                                 : DidYouMean(*kind, kKinds)));
+    std::optional<Entity> e = NamedEntity("the texture's class");
+    if (e && known) builder.Texture(*name, *kind == kKinds[0], std::move(*e));
 }
 
 // --- Media, which this renderer has not ---

@@ -187,9 +187,10 @@ void ParameterReader::SkipValues(Lexer &lexer) {
 }
 
 void ParameterReader::SkipList(Lexer &lexer) {
-    while (!EndsParameter(lexer.Peek()) && lexer.Peek().kind != TokenKind::Close)
-        lexer.Advance();
-    if (lexer.Peek().kind == TokenKind::Close) lexer.Advance();
+    for (int depth = 1; depth > 0 && !EndsParameter(lexer.Peek()); lexer.Advance()) {
+        if (lexer.Peek().kind == TokenKind::Open) ++depth;
+        if (lexer.Peek().kind == TokenKind::Close) --depth;
+    }
 }
 
 bool ParameterReader::Fail(const FileLoc &loc, std::string_view message) {

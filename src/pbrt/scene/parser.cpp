@@ -41,7 +41,10 @@ Parser::Parser(Description *scene, Diagnostics *log)
 void Parser::ReadFile(const std::string &path) {
     const std::string_view name = scene->fileNames.emplace_back(path == "-" ? "<stdin>" : path);
     const std::optional<std::string> text = ReadFileContents(path, {}, *log);
-    if (!text) return;
+    if (!text) {
+        allFilesRead = false;
+        return;
+    }
     open = {{std::string(name), CanonicalPath(path)}};
     dir = FolderOf(path);
     scene->dir = dir;
@@ -55,9 +58,17 @@ void Parser::ReadText(std::string_view text, std::string_view name, std::string_
     ReadTokens(text, scene->fileNames.emplace_back(name));
 }
 
+void Parser::Finish() {
+    if (!builder.InWorld() && allFilesRead)
+        log->Error({open[0].shown, 0, 0}, "the scene ends without WorldBegin");
+    builder.Finish();
+}
+
 void Parser::ReadTokens(std::string_view text, std::string_view name) {
-    if (const std::string_view why = NotAScene(text); !why.empty())
+    if (const std::string_view why = NotAScene(text); !why.empty()) {
+        allFilesRead = false;
         return log->Error({name, 0, 0}, why);
+    }
     Lexer *const outer = lexer;
     Lexer own(text, name, log);
     lexer = &own;

@@ -21,7 +21,7 @@ class Parser {
     /// A top-level file's text.
     void ReadText(std::string_view text, std::string_view name, std::string_view dir);
     /// After the last file.
-    void Finish() { builder.Finish(); }
+    void Finish();
 
     // What each directive reads; called through the table of directives.cpp.
     void Accelerator(), Camera(), Film(), Integrator(), PixelFilter(), Sampler();
@@ -59,7 +59,7 @@ class Parser {
     /// As many numbers as labels, which name them in messages.
     std::optional<std::vector<float>> Numbers(std::span<const std::string_view> labels);
     std::optional<Matrix4> BracketedMatrix();
-    bool NextNumber(float *value, std::string_view what);
+    bool NextNumber(float *value, std::string_view which);
     // The value of an Option.
     void OptionFlag(bool *flag);
     void OptionInt(int *value);
@@ -83,6 +83,8 @@ class Parser {
     int depth = 0;                         ///< open brackets at a failed argument
     std::string dir;                       ///< folder of the top-level file
     std::vector<OpenFile> open;
+    FileLoc worldBegin;        ///< line 0 before it
+    bool allFilesRead = true;  ///< the top-level ones
     bool saidNotInWorld = false, saidTransformBegin = false;
 };
 

@@ -28,19 +28,24 @@ void Diagnostics::Add(Severity severity, const FileLoc &loc, std::string_view me
 
 namespace {
 
-/// Levenshtein distance, letters' case ignored.
+/// Fewest insertions, deletions, replacements and swaps of neighbours that turn a into b (optimal
+/// string alignment), letters' case ignored.
 int Edits(std::string_view a, std::string_view b) {
-    std::vector<int> row(b.size() + 1);
+    const auto same = [](char x, char y) {
+        return std::tolower(static_cast<unsigned char>(x)) ==
+               std::tolower(static_cast<unsigned char>(y));
+    };
+    std::vector<int> beforeLast(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
     std::iota(row.begin(), row.end(), 0);
     for (size_t i = 1; i <= a.size(); ++i) {
-        int diagonal = row[0];
+        std::swap(beforeLast, last);
+        std::swap(last, row);
         row[0] = int(i);
         for (size_t j = 1; j <= b.size(); ++j) {
-            const bool same = std::tolower(static_cast<unsigned char>(a[i - 1])) ==
-                              std::tolower(static_cast<unsigned char>(b[j - 1]));
-            const int next = std::min({row[j] + 1, row[j - 1] + 1, diagonal + (same ? 0 : 1)});
-            diagonal = row[j];
-            row[j] = next;
+            const int replaced = last[j - 1] + (same(a[i - 1], b[j - 1]) ? 0 : 1);
+            row[j] = std::min({last[j] + 1, row[j - 1] + 1, replaced});
+            if (i > 1 && j > 1 && same(a[i - 1], b[j - 2]) && same(a[i - 2], b[j - 1]))
+                row[j] = std::min(row[j], beforeLast[j - 2] + 1);
         }
     }
     return row.back();

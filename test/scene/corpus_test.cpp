@@ -1,0 +1,22 @@
+// Every scene of broken/ says exactly what its .expected file holds.
+
+#include "support/corpus.h"
+
+#include "pbrt/scene/description.h"
+
+namespace pbrt {
+namespace {
+
+class BrokenScene : public testing::TestWithParam<std::string> {};
+
+TEST_P(BrokenScene, SaysWhatIsExpected) {
+    ExpectMessages(GetParam(), [](const std::string &file, Diagnostics &log) {
+        Description scene;
+        ParseFiles({file}, scene, log);
+    });
+}
+
+INSTANTIATE_TEST_SUITE_P(Corpus, BrokenScene, testing::ValuesIn(CorpusScenes()), CorpusTestName);
+
+}  // namespace
+}  // namespace pbrt

@@ -1,0 +1,255 @@
+// What plug-ins read through ParamDict.
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "scene/parse.h"
+
+namespace pbrt {
+namespace {
+
+/// The parameters of `material "m"` after some Attribute ones, and what was said.
+class Dict {
+  public:
+    explicit Dict(const std::string &own, const std::string &inherited = "")
+        : parsed(
+              Parse("Attribute \"material\" " + inherited + " WorldBegin\nMaterial \"m\"\n" + own)),
+          dict(parsed->scene.materials.at(0).params, parsed->scene.materials[0].loc,
+               "material \"m\"", parsed->scene.materials[0].colorSpace, &parsed->log) {
+        EXPECT_EQ(parsed->Messages(), Texts{}) << own;
+    }
+    ParamDict *operator->() { return &dict; }
+    Texts Messages() const { return parsed->Messages(); }
+
+  private:
+    std::unique_ptr<Parsed> parsed;
+    ParamDict dict;
+};
+
+TEST(ParamDict, SingleValues) {
+    Dict d(R"("float f" 1.5 "integer i" 2 "bool b" true "string s" "x" "point2 p2" [ 1 2 ]
+              "point3 p3" [ 1 2 3 ] "vector3 v3" [ 4 5 6 ] "texture t" "wood")");
+    EXPECT_EQ(d->GetOneFloat("f", 0), 1.5f);
+    EXPECT_EQ(d->GetOneInt("i", 0), 2);
+    EXPECT_TRUE(d->GetOneBool("b", false));
+    EXPECT_EQ(d->GetOneString("s", ""), "x");
+    EXPECT_EQ(d->GetOnePoint2f("p2", {}), (Point2f{1, 2}));
+    EXPECT_EQ(d->GetOnePoint3f("p3", {}), (Point3f{1, 2, 3}));
+    EXPECT_EQ(d->GetOneVector3f("v3", {}), (Vector3f{4, 5, 6}));
+    EXPECT_EQ(d->GetTexture("t"), "wood");
+    d->ReportUnused();
+    EXPECT_EQ(d.Messages(), Texts{});
+}
+
+TEST(ParamDict, DefaultsWhereNothingIsGiven) {
+    Dict d("");
+    EXPECT_EQ(d->GetOneFloat("f", 7), 7);
+    EXPECT_EQ(d->GetOneFloat(NumberRow{"f", "", 7, 0, 10, ""}), 7);
+    EXPECT_EQ(d->GetOneInt("i", 7), 7);
+    EXPECT_EQ(d->GetOneInt("i", 7, 0, 10), 7);
+    EXPECT_TRUE(d->GetOneBool("b", true));
+    EXPECT_EQ(d->GetOneString("s", "def"), "def");
+    EXPECT_EQ(d->GetOnePoint2f("p", {1, 2}), (Point2f{1, 2}));
+    EXPECT_EQ(d->GetOnePoint3f("p", {1, 2, 3}), (Point3f{1, 2, 3}));
+    EXPECT_EQ(d->GetOneVector3f("p", {1, 2, 3}), (Vector3f{1, 2, 3}));
+    EXPECT_FALSE(d->GetOneSpectrum("L", SpectrumType::Illuminant));
+    EXPECT_FALSE(d->GetOneRGB("L"));
+    EXPECT_FALSE(d->GetTexture("t"));
+    EXPECT_EQ(d->GetFileName("filename", "pbrt.exr"), "pbrt.exr");
+    EXPECT_EQ(d->GetFileName("filename"), "");
+    EXPECT_TRUE(d->GetFloatArray("a").empty());
+    EXPECT_TRUE(d->GetPoint3fArray("a").empty());
+    EXPECT_EQ(d->Loc("f"), d->Directive());
+    d->ReportUnused();
+    EXPECT_EQ(d.Messages(), Texts{});
+}
+
+TEST(ParamDict, Arrays) {
+    Dict d(R"("float f" [ 1 2 ] "integer i" [ 1 2 3 ] "string s" [ "a" "b" ]
+              "point2 p2" [ 1 2 3 4 ] "point3 p3" [ 1 2 3 4 5 6 ] "vector3 v" [ 1 2 3 ]
+              "normal n" [ 0 0 1 ])");
+    EXPECT_EQ(d->GetFloatArray("f"), (std::vector<float>{1, 2}));
+    EXPECT_EQ(d->GetIntArray("i"), (std::vector<int>{1, 2, 3}));
+    EXPECT_EQ(d->GetStringArray("s"), (Texts{"a", "b"}));
+    EXPECT_EQ(d->GetPoint2fArray("p2"), (std::vector<Point2f>{{1, 2}, {3, 4}}));
+    EXPECT_EQ(d->GetPoint3fArray("p3"), (std::vector<Point3f>{{1, 2, 3}, {4, 5, 6}}));
+    EXPECT_EQ(d->GetVector3fArray("v"), (std::vector<Vector3f>{{1, 2, 3}}));
+    EXPECT_EQ(d->GetNormalArray("n"), (std::vector<Normal3f>{{0, 0, 1}}));
+    d->ReportUnused();
+    EXPECT_EQ(d.Messages(), Texts{});
+}
+
+TEST(ParamDict, WrongCountsAreErrorsAndTheDefaultCounts) {
+    Dict d(R"("float f" [ 1 2 ] "point3 p" [ 1 2 ] "string s" [ "a" "b" ] "point3 P" [ 1 2 3 4 ])");
+    EXPECT_EQ(d->GetOneFloat("f", 7), 7);
+    EXPECT_EQ(d->GetOnePoint3f("p", {7, 7, 7}), (Point3f{7, 7, 7}));
+    EXPECT_EQ(d->GetOneString("s", "def"), "def");
+    EXPECT_EQ(d->GetPoint3fArray("P").size(), 1u);
+    EXPECT_EQ(d.Messages(),
+              (Texts{R"(test.pbrt:3:13: "float f": expected 1 value, found 2)",
+                     R"(test.pbrt:3:32: "point3 p": expected 3 values, found 2)",
+                     R"(test.pbrt:3:51: "string s": expected 1 value, found 2)",
+                     R"(test.pbrt:3:74: "point3 P": 4 numbers are not a multiple of 3)"}));
+}
+
+TEST(ParamDict, RangesAreClosedAndNameTheUnit) {
+    constexpr NumberRow kFov{"fov", "deg", 90, 1, 179, ""};
+    constexpr NumberRow kRadius{"radius", "mm", 1, 0, Infinity, ""};
+    constexpr NumberRow kGain{"gain", "", 1, -Infinity, 2, ""};
+    Dict inside(R"("float fov" 179 "float radius" 0 "float gain" -5)");
+    EXPECT_EQ(inside->GetOneFloat(kFov), 179);
+    EXPECT_EQ(inside->GetOneFloat(kRadius), 0);
+    EXPECT_EQ(inside->GetOneFloat(kGain), -5);
+    EXPECT_EQ(inside.Messages(), Texts{});
+    Dict outside(R"("float fov" 200 "float radius" -0.5 "float gain" 3 "integer n" 0)");
+    EXPECT_EQ(outside->GetOneFloat(kFov), 90);
+    EXPECT_EQ(outside->GetOneFloat(kRadius), 1);
+    EXPECT_EQ(outside->GetOneFloat(kGain), 1);
+    EXPECT_EQ(outside->GetOneInt("n", 16, 1, 65536), 16);
+    EXPECT_EQ(outside->GetOneInt("n", 16, 1, 2147483647), 16);
+    EXPECT_EQ(outside.Messages(),
+              (Texts{R"(test.pbrt:3:13: "float fov": 200 is outside [1, 179] deg)",
+                     R"(test.pbrt:3:32: "float radius": -0.5 is less than 0 mm)",
+                     R"(test.pbrt:3:50: "float gain": 3 is more than 2)",
+                     R"(test.pbrt:3:64: "integer n": 0 is outside [1, 65536])",
+                     R"(test.pbrt:3:64: "integer n": 0 is less than 1)"}));
+}
+
+TEST(ParamDict, ChoicesAreIndices) {
+    constexpr std::array<std::string_view, 3> kTypes{"flat", "cylinder", "ribbon"};
+    EXPECT_EQ(Dict("")->GetOneChoice("type", "cylinder", kTypes), 1);
+    EXPECT_EQ(Dict("\"string type\" \"ribbon\"")->GetOneChoice("type", "flat", kTypes), 2);
+    Dict wrong("\"string type\" \"cylindr\"");
+    EXPECT_EQ(wrong->GetOneChoice("type", "flat", kTypes), 0);
+    EXPECT_EQ(wrong.Messages(),
+              Texts{R"(test.pbrt:3:15: "string type": "cylindr" is not one of )"
+                    R"("flat", "cylinder" or "ribbon"; did you mean "cylinder"?)"});
+}
+
+TEST(ParamDict, LaterDuplicatesOverrideSilently) {
+    Dict d(R"("float f" 1 "float f" 2 "float f" 3)");
+    EXPECT_EQ(d->GetOneFloat("f", 0), 3);
+    EXPECT_EQ(d->Loc("f").column, 25);
+    d->ReportUnused();
+    EXPECT_EQ(d.Messages(), Texts{});
+}
+
+TEST(ParamDict, OwnParametersComeBeforeInheritedOnes) {
+    Dict d(R"("float f" 1)", R"("float f" 5 "float f" 6 "float g" 7 "float g" 8 "float h" 9)");
+    EXPECT_EQ(d->GetOneFloat("f", 0), 1);
+    EXPECT_EQ(d->GetOneFloat("g", 0), 8);  // the latest of the inherited
+    d->ReportUnused();                     // h is inherited
+    EXPECT_EQ(d.Messages(), Texts{});
+}
+
+TEST(ParamDict, AWrongTypeIsInvisible) {
+    Dict d(R"("integer fov" 40)");
+    EXPECT_EQ(d->GetOneFloat("fov", 90), 90);
+    d->ReportUnused();
+    EXPECT_EQ(d.Messages(), Texts{R"(test.pbrt:3:1: "integer fov": expected "float fov")"});
+}
+
+TEST(ParamDict, WrongTypesListAllThatWouldDo) {
+    Dict d(R"("float reflectance" 1)");
+    EXPECT_FALSE(d->GetTexture("reflectance"));
+    EXPECT_FALSE(d->GetOneSpectrum("reflectance", SpectrumType::Albedo));
+    d->ReportUnused();
+    EXPECT_EQ(d.Messages(),
+              Texts{R"(test.pbrt:3:1: "float reflectance": expected "texture reflectance", )"
+                    R"("rgb reflectance", "spectrum reflectance" or "blackbody reflectance")"});
+}
+
+TEST(ParamDict, UnknownNamesListTheKnownAndTheNearest) {
+    Dict d(R"("float rougness" 1 "string xyzzy" "a")");
+    d->GetOneFloat("roughness", 0);
+    d->GetOneBool("remaproughness", true);
+    d->GetTexture("roughness");
+    d->ReportUnused();
+    EXPECT_EQ(d.Messages(),
+              (Texts{R"(test.pbrt:3:1: unknown parameter "float rougness" of material "m"; )"
+                     R"(did you mean "roughness"? known: roughness, remaproughness)",
+                     R"(test.pbrt:3:20: unknown parameter "string xyzzy" of material "m"; )"
+                     R"(known: roughness, remaproughness)"}));
+    Dict none(R"("float x" 1)");
+    none->ReportUnused();
+    EXPECT_EQ(
+        none.Messages(),
+        Texts{R"(test.pbrt:3:1: unknown parameter "float x" of material "m", which takes none)"});
+}
+
+TEST(ParamDict, KnownButOverriddenByAnotherType) {
+    Dict d(R"("rgb L" [ 1 1 1 ] "blackbody L" 5000)");
+    EXPECT_TRUE(d->GetOneSpectrum("L", SpectrumType::Illuminant));
+    d->ReportUnused();
+    EXPECT_EQ(d.Messages(),
+              Texts{R"(test.pbrt:3:1: "rgb L" has no effect: the later "blackbody L" counts)"});
+}
+
+TEST(ParamDict, KnownButNotRead) {
+    Dict d(R"("float power" 1)");
+    EXPECT_TRUE(d->Has("power"));
+    d->ReportUnused();
+    EXPECT_EQ(d.Messages(), Texts{R"(test.pbrt:3:1: "float power" has no effect here)"});
+}
+
+TEST(ParamDict, HasLooksWithoutReading) {
+    Dict d(R"("float f" 1)", R"("rgb g" [ 1 1 1 ])");
+    EXPECT_TRUE(d->Has("f"));
+    EXPECT_TRUE(d->Has("f", "float"));
+    EXPECT_FALSE(d->Has("f", "integer"));
+    EXPECT_TRUE(d->Has("g", "rgb"));
+    EXPECT_FALSE(d->Has("h"));
+}
+
+TEST(ParamDict, ALaterConstantOverridesATexture) {
+    Dict constantLast(R"("texture r" "t" "rgb r" [ 1 0 0 ])");
+    EXPECT_FALSE(constantLast->GetTexture("r"));
+    EXPECT_EQ(constantLast->GetOneRGB("r"), (RGB{1, 0, 0}));
+    Dict textureLast(R"("rgb r" [ 1 0 0 ] "texture r" "t")");
+    EXPECT_EQ(textureLast->GetTexture("r"), "t");
+    Dict own(R"("float r" 1)", R"("texture r" "t")");
+    EXPECT_FALSE(own->GetTexture("r"));
+    EXPECT_EQ(own->GetOneFloat("r", 0), 1);
+    own->ReportUnused();
+    EXPECT_EQ(own.Messages(), Texts{});
+}
+
+TEST(ParamDict, FileNamesStartFromTheScenesFolder) {
+    const auto parsed = ParseWorld(
+        "Material \"m\" \"string filename\" \"param_dict_test.cpp\" "
+        "\"string other\" \"none.exr\" \"string absolute\" \"/x\"");
+    const std::string dir = std::string(PBRT_SOURCE_DIR) + "/test/scene";
+    const Entity &m = parsed->scene.materials.at(0);
+    ParamDict d(m.params, m.loc, "material \"m\"", m.colorSpace, &parsed->log, dir);
+    EXPECT_EQ(d.GetFileName("filename"), dir + "/param_dict_test.cpp");
+    EXPECT_EQ(d.GetFileName("other"), "none.exr");
+    EXPECT_EQ(d.GetFileName("absolute"), "/x");
+}
+
+TEST(ParamDict, ErrorsOfPlugInsStandAtTheParameter) {
+    Dict d("\"float f\" 1");
+    d->Error("f", "one");
+    d->Error("g", "two");
+    d->Error("three");
+    d->Warning("f", "four");
+    EXPECT_EQ(d.Messages(), (Texts{"test.pbrt:3:1: one", "test.pbrt:2:1: two",
+                                   "test.pbrt:2:1: three", "test.pbrt:3:1: four"}));
+}
+
+TEST(ParamDict, WhatTheParserRefusedIsNotReportedAgain) {
+    const auto parsed =
+        ParseWorld(R"(Material "m" "float f" x "point3 P" [ 1 2 x ] "rgb c" [ x ])");
+    EXPECT_EQ(parsed->Messages().size(), 3u);
+    const Entity &m = parsed->scene.materials.at(0);
+    ParamDict d(m.params, m.loc, "material \"m\"", m.colorSpace, &parsed->log);
+    EXPECT_TRUE(d.Has("P"));
+    EXPECT_EQ(d.GetOneFloat("f", 7), 7);
+    EXPECT_TRUE(d.GetPoint3fArray("P").empty());
+    EXPECT_FALSE(d.GetOneSpectrum("c", SpectrumType::Albedo));
+    d.ReportUnused();
+    EXPECT_EQ(parsed->Messages().size(), 3u);
+}
+
+}  // namespace
+}  // namespace pbrt

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "pbrt/util/diagnostics.h"
+
+namespace pbrt {
+
+/// test/scene/broken: NN-name.pbrt beside NN-name.expected, which holds a line for each message as
+/// the program prints it: `Error: file:line:column: message` or `Warning: ...`, `file` relative to
+/// the folder. A program is checked in the same way by running it in the folder.
+inline std::filesystem::path CorpusFolder() {
+    return std::filesystem::path(PBRT_SOURCE_DIR) / "test/scene/broken";
+}
+
+/// Names of the scenes, without folder and extension, sorted.
+inline std::vector<std::string> CorpusScenes() {
+    std::vector<std::string> names;
+    for (const auto &entry : std::filesystem::directory_iterator(CorpusFolder()))
+        if (entry.path().extension() == ".pbrt") names.push_back(entry.path().stem().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+inline std::string CorpusTestName(const testing::TestParamInfo<std::string> &info) {
+    std::string name = info.param;
+    std::replace_if(
+        name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c); }, '_');
+    return name;
+}
+
+/// Runs `pipeline` on the scene inside the folder; its messages must be those expected, in order.
+inline void ExpectMessages(
+    const std::string &scene,
+    const std::function<void(const std::string &file, Diagnostics &log)> &pipeline) {
+    std::ifstream expectedFile(CorpusFolder() / (scene + ".expected"));
+    ASSERT_TRUE(expectedFile) << scene << ".expected is missing";
+    std::stringstream expected;
+    expected << expectedFile.rdbuf();
+    const std::filesystem::path before = std::filesystem::current_path();
+    std::filesystem::current_path(CorpusFolder());
+    Diagnostics log;
+    pipeline(scene + ".pbrt", log);
+    std::filesystem::current_path(before);
+    std::string said;
+    for (const Message &m : log.Messages())
+        said += (m.severity == Severity::Error ? "Error: " : "Warning: ") + m.text + "\n";
+    EXPECT_EQ(said, expected.str());
+    EXPECT_TRUE(log.HasErrors()) << "a broken scene must not render";
+}
+
+}  // namespace pbrt

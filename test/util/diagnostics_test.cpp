@@ -1,0 +1,55 @@
+#include "pbrt/util/diagnostics.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace pbrt {
+namespace {
+
+TEST(Diagnostics, ShowsPlacesAsFarAsKnown) {
+    Diagnostics log;
+    log.Error({"a.pbrt", 3, 7}, "one");
+    log.Warning({"a.pbrt", 0, 0}, "two");
+    log.Error({}, "three");
+    ASSERT_EQ(log.Messages().size(), 3u);
+    EXPECT_EQ(log.Messages()[0].text, "a.pbrt:3:7: one");
+    EXPECT_EQ(log.Messages()[1].text, "a.pbrt: two");
+    EXPECT_EQ(log.Messages()[2].text, "three");
+    EXPECT_EQ(log.Messages()[1].severity, Severity::Warning);
+    EXPECT_EQ(log.ErrorCount(), 2);
+}
+
+TEST(Diagnostics, ImmediateRepetitionsAreOneMessage) {
+    Diagnostics log;
+    log.Error({}, "x");
+    log.Error({}, "x");
+    log.Error({}, "y");
+    log.Error({}, "x");
+    EXPECT_EQ(log.Messages().size(), 3u);
+}
+
+TEST(NearestName, CountsEditsAndSwapsOfNeighbours) {
+    constexpr std::array<std::string_view, 4> kNames{"float", "roughness", "Film", "seed"};
+    EXPECT_EQ(NearestName("flot", kNames), "float");
+    EXPECT_EQ(NearestName("flaot", kNames), "float");
+    EXPECT_EQ(NearestName("rougness", kNames), "roughness");
+    EXPECT_EQ(NearestName("Flim", kNames), "Film");
+    EXPECT_EQ(NearestName("sede", kNames), "seed");
+    EXPECT_EQ(NearestName("FLOAT", kNames), "float");
+    EXPECT_EQ(NearestName("fl", kNames), "");
+    EXPECT_EQ(NearestName("", kNames), "");
+    EXPECT_EQ(NearestName("integer", kNames), "");
+}
+
+TEST(NearestName, ListsAndHints) {
+    constexpr std::array<std::string_view, 3> kNames{"a", "b", "c"};
+    EXPECT_EQ(QuotedList(kNames), "\"a\", \"b\" or \"c\"");
+    constexpr std::array<std::string_view, 1> kOne{"world"};
+    EXPECT_EQ(QuotedList(kOne), "\"world\"");
+    EXPECT_EQ(DidYouMean("wolrd", kOne), "; did you mean \"world\"?");
+    EXPECT_EQ(DidYouMean("camera", kOne), "");
+}
+
+}  // namespace
+}  // namespace pbrt
