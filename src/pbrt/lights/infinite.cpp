@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "pbrt/image/primaries.h"
+#include "pbrt/textures/image_color_space.h"
 
 namespace pbrt {
 namespace {
@@ -22,16 +22,6 @@ std::string Unfit(const Image &image) {
     for (float v : image.Data())
         if (!std::isfinite(v)) return "has pixels that are not finite";
     return {};
-}
-
-/// Of the picture's primaries where they are one of the known spaces', else sRGB.
-const RGBColorSpace &ColorSpaceOf(const Image &image) {
-    if (image.metadata.chromaticities)
-        for (std::string_view name : RGBColorSpace::Names())
-            if (const RGBColorSpace *space = RGBColorSpace::Named(name);
-                SamePrimaries(space->Chromaticities(), *image.metadata.chromaticities))
-                return *space;
-    return RGBColorSpace::sRGB();
 }
 
 }  // namespace

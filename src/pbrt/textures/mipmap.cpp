@@ -1,6 +1,6 @@
 #include "pbrt/textures/mipmap.h"
 
-#include <optional>
+#include "pbrt/textures/image_color_space.h"
 
 namespace pbrt {
 namespace {
@@ -39,19 +39,6 @@ std::vector<int> ColorChannels(const Image &image) {
     return {};
 }
 
-/// The known colour space with these chromaticities, to the digits that files carry.
-const RGBColorSpace *KnownSpace(const std::array<std::array<float, 2>, 4> &xy) {
-    for (std::string_view name : RGBColorSpace::Names()) {
-        const RGBColorSpace *space = RGBColorSpace::Named(name);
-        float worst = 0;
-        for (size_t i = 0; i < 4; ++i)
-            for (size_t j = 0; j < 2; ++j)
-                worst = std::max(worst, std::abs(space->Chromaticities()[i][j] - xy[i][j]));
-        if (worst < 1e-3f) return space;
-    }
-    return nullptr;
-}
-
 }  // namespace
 
 std::shared_ptr<const MIPMap> MIPMap::Create(const Image &image, const ColorEncoding &encoding,
@@ -67,11 +54,9 @@ std::shared_ptr<const MIPMap> MIPMap::Create(const Image &image, const ColorEnco
                 values.push_back(image.Get({x, y}, c));
 
     auto map = std::make_shared<MIPMap>();
-    if (image.metadata.chromaticities)
-        if (const RGBColorSpace *space = KnownSpace(*image.metadata.chromaticities))
-            map->colorSpace = space;
+    map->colorSpace = &ColorSpaceOf(image);
     map->levels.emplace_back(res, int(channels.size()), std::move(values));
-    map->levels[0].Compress(encoding);
+    if (image.metadata.storedAs == "8-bit") map->levels[0].Compress(encoding);
     while (pyramid && map->levels.back().Resolution() != Point2i{1, 1})
         map->levels.push_back(map->levels.back().HalfSize());
     return map;

@@ -31,10 +31,7 @@ struct MixedSpectrum : SpectrumNode {
 
 Spectrum MixedConstants(const Spectrum &a, const Spectrum &b, float t) {
     if (a.IsConstant() && b.IsConstant()) return Spectrum(Lerp(t, a(LambdaMin), b(LambdaMin)));
-    auto table = std::make_shared<DenseTable>();
-    for (int lambda = int(LambdaMin); lambda <= int(LambdaMax); ++lambda)
-        table->values.push_back(Lerp(t, a(float(lambda)), b(float(lambda))));
-    return Spectrum::Dense(std::move(table));
+    return Spectrum::DenselySampled([&](float lambda) { return Lerp(t, a(lambda), b(lambda)); });
 }
 
 }  // namespace

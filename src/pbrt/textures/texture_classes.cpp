@@ -29,8 +29,7 @@ constexpr auto kNames = [] {
 const TextureClass *FindClass(const TextureEntity &entity, Diagnostics &log) {
     for (const TextureClass &c : kClasses)
         if (c.name == entity.type) return &c;
-    log.Error(entity.loc, fmt::format("unknown texture class \"{}\"; expected {}{}", entity.type,
-                                      QuotedList(kNames), DidYouMean(entity.type, kNames)));
+    log.Error(entity.loc, UnknownName("texture class", entity.type, kNames));
     return nullptr;
 }
 

@@ -1,0 +1,124 @@
+#include "support/temp_folder.h"
+#include "textures/texture_scene.h"
+
+namespace pbrt::test {
+namespace {
+
+/// Messages of a scene's textures, without the world block's first line.
+std::string MessagesOf(const std::string &world) {
+    return TextureScene(world, "").Messages();
+}
+
+TEST(TextureErrors, UnknownClassNamesTheKnownOnes) {
+    EXPECT_EQ(MessagesOf(R"(Texture "a" "float" "chekerboard")"),
+              "t.pbrt:2:1: unknown texture class \"chekerboard\"; did you mean \"checkerboard\"? "
+              "Known: \"checkerboard\", \"constant\", \"imagemap\", \"mix\" or \"scale\"\n");
+}
+
+TEST(TextureErrors, UnknownTextureNamesTheNearest) {
+    EXPECT_EQ(MessagesOf("Texture \"stripes\" \"float\" \"constant\"\n"
+                         "Texture \"b\" \"float\" \"scale\" \"texture tex\" \"strips\""),
+              "t.pbrt:3:29: no float texture \"strips\" is defined before its use here; did you "
+              "mean \"stripes\"?\n");
+}
+
+TEST(TextureErrors, AFloatTextureIsNoSpectrumTexture) {
+    EXPECT_EQ(MessagesOf("Texture \"a\" \"float\" \"constant\"\n"
+                         "Texture \"b\" \"spectrum\" \"scale\" \"texture tex\" \"a\""),
+              "t.pbrt:3:32: \"tex\" wants a spectrum texture, but \"a\" is a float texture\n");
+    EXPECT_EQ(MessagesOf("Texture \"a\" \"spectrum\" \"constant\"\n"
+                         "Texture \"b\" \"float\" \"scale\" \"texture tex\" \"a\""),
+              "t.pbrt:3:29: \"tex\" wants a float texture, but \"a\" is a spectrum texture\n");
+}
+
+TEST(TextureErrors, OneMistakeIsOneMessage) {
+    // The texture that could not be made stands in for its uses.
+    EXPECT_EQ(MessagesOf("Texture \"a\" \"spectrum\" \"marble\"\n"
+                         "Texture \"b\" \"spectrum\" \"scale\" \"texture tex\" \"a\""),
+              "t.pbrt:2:1: unknown texture class \"marble\". Known: \"checkerboard\", "
+              "\"constant\", \"imagemap\", \"mix\" or \"scale\"\n");
+}
+
+TEST(TextureErrors, ParametersAreChecked) {
+    EXPECT_EQ(MessagesOf(R"(Texture "a" "float" "checkerboard" "integer dimension" 4)"),
+              "t.pbrt:2:56: \"integer dimension\": 4 is outside [2, 3]\n");
+    EXPECT_EQ(MessagesOf(R"(Texture "a" "spectrum" "scale" "float scale" -2)"),
+              "t.pbrt:2:47: \"float scale\": -2 is less than 0\n");
+    EXPECT_EQ(
+        MessagesOf(R"(Texture "a" "float" "imagemap")"),
+        "t.pbrt:2:1: texture \"imagemap\" needs \"string filename\", a picture's file name\n");
+    EXPECT_NE(MessagesOf(R"(Texture "a" "float" "constant" "float valu" 4)")
+                  .find("unknown parameter \"float valu\" of texture \"constant\"; did you mean "
+                        "\"value\"?"),
+              std::string::npos);
+    EXPECT_NE(MessagesOf(R"(Texture "a" "float" "imagemap" "string filename" "no-such.png")")
+                  .find("no-such.png"),
+              std::string::npos);
+    EXPECT_NE(MessagesOf(R"(Texture "a" "float" "imagemap" "string filename" "x.png"
+                            "string encoding" "gamma two")")
+                  .find("unknown encoding \"gamma two\"; expected \"sRGB\", \"linear\" or"),
+              std::string::npos);
+}
+
+/// Getters as materials use them.
+struct Asked {
+    Asked(const std::string &textures, ParsedParameters given) : scene(textures) {
+        for (ParsedParameter &p : given)
+            p.loc = p.valueLoc = {"m.pbrt", 1, 1};
+        params.emplace(std::move(given), FileLoc{"m.pbrt", 1, 1}, "material \"test\"",
+                       &RGBColorSpace::sRGB(), &scene.log);
+    }
+    TextureScene scene;
+    std::optional<ParamDict> params;
+};
+
+ParsedParameter Texture(std::string name, std::string value) {
+    ParsedParameter p;
+    p.type = "texture", p.name = std::move(name), p.strings = {std::move(value)};
+    return p;
+}
+ParsedParameter Float(std::string name, float value) {
+    ParsedParameter p;
+    p.type = "float", p.name = std::move(name), p.floats = {value};
+    return p;
+}
+
+constexpr NumberRow kRow{"roughness", "", 0.5f, 0, 1, ""};
+
+TEST(TextureGetters, TakeTextureConstantOrDefault) {
+    Asked a(R"(Texture "t" "float" "checkerboard")", {Texture("roughness", "t")});
+    EXPECT_FALSE(GetFloatTexture(*a.params, a.scene.named, kRow).IsConstant());
+    Asked b("", {Float("roughness", 0.25f)});
+    EXPECT_EQ(GetFloatTexture(*b.params, b.scene.named, kRow).Constant(), 0.25f);
+    Asked c("", {});
+    EXPECT_EQ(GetFloatTexture(*c.params, c.scene.named, kRow).Constant(), 0.5f);
+    EXPECT_FALSE(FindFloatTexture(*c.params, c.scene.named, "alpha").has_value());
+    EXPECT_FALSE(FindSpectrumTexture(*c.params, c.scene.named, "reflectance", SpectrumType::Albedo)
+                     .has_value());
+    EXPECT_EQ(c.scene.Messages(), "");
+}
+
+TEST(TextureGetters, CheckTheRangeOfConstantsAndOfConstantTextures) {
+    Asked a("", {Float("roughness", 2)});
+    EXPECT_EQ(GetFloatTexture(*a.params, a.scene.named, kRow).Constant(), 0.5f);
+    EXPECT_NE(a.scene.Messages().find("outside [0, 1]"), std::string::npos);
+    Asked b(R"(Texture "t" "float" "constant" "float value" 3)", {Texture("roughness", "t")});
+    EXPECT_EQ(GetFloatTexture(*b.params, b.scene.named, kRow).Constant(), 0.5f);
+    EXPECT_EQ(b.scene.Messages(),
+              "m.pbrt:1:1: \"roughness\" must lie in [0, 1], but its texture is 3 everywhere\n");
+}
+
+TEST(TextureGetters, BrightColoursAreNoAlbedos) {
+    Asked a(R"(Texture "t" "spectrum" "constant" "rgb value" [ 1 2 3 ])",
+            {Texture("reflectance", "t"), Texture("sigma_a", "t")});
+    EXPECT_EQ(a.scene.Messages(), "");
+    EXPECT_TRUE(FindSpectrumTexture(*a.params, a.scene.named, "sigma_a", SpectrumType::Unbounded));
+    EXPECT_EQ(a.scene.Messages(), "");
+    FindSpectrumTexture(*a.params, a.scene.named, "reflectance", SpectrumType::Albedo);
+    EXPECT_EQ(a.scene.Messages(),
+              "m.pbrt:1:1: \"reflectance\" wants values in [0, 1], but texture "
+              "\"t\" has RGB values above 1\n");
+}
+
+}  // namespace
+}  // namespace pbrt::test
