@@ -1,10 +1,308 @@
-#include "pbrt/shapes/create.h"
+#include "pbrt/shapes/ply.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "pbrt/shapes/ply_values.h"
 
 namespace pbrt {
+namespace {
 
-std::vector<Shape> CreatePlyMesh(const ShapeArguments &a) {
-    a.params.Error("shape \"plymesh\" cannot be read yet");
-    return {};
+constexpr size_t kRowsAtOnce = 4096;
+
+/// Destination of one vertex property: the k-th float of an array with `stride` floats a vertex.
+struct Column {
+    int property;
+    int array;  ///< 0 p, 1 n, 2 uv
+    int k;
+};
+
+class PlyReader {
+  public:
+    PlyReader(const std::string &fileName, std::string *problem)
+        : stream(fileName), problem(problem) {}
+
+    std::optional<PlyMesh> Read() {
+        const auto header = ReadPlyHeader(stream, problem);
+        if (!header) return {};
+        format = header->format;
+        values.emplace(stream, format);
+        bool hasVertices = false, hasFaces = false;
+        for (const PlyElement &e : header->elements) {
+            bool good;
+            if (e.name == "vertex")
+                good = hasVertices = Promised(e) && Vertices(e);
+            else if (e.name == "face")
+                good = hasFaces = Promised(e) && Faces(e);
+            else
+                good = Promised(e) && SkipElement(e);
+            if (!good) return {};
+        }
+        if (!hasVertices) return Fail("has no \"element vertex\"");
+        if (!hasFaces) return Fail("has no \"element face\"");
+        if (!CheckIndices(mesh.triangles) || !CheckIndices(mesh.quads)) return {};
+        return std::move(mesh);
+    }
+
+  private:
+    /// False where the file is too short for the element's rows.
+    bool Promised(const PlyElement &e) {
+        const uint64_t least = uint64_t(e.LeastRowBytes(format)) * e.count;
+        // The last ascii number needs no space behind it.
+        if (!stream.KnowsLength() || least <= stream.BytesLeft() + 1) return true;
+        Fail(fmt::format("is too short: {} x \"{}\" need at least {} bytes, {} are left", e.count,
+                         e.name, least, stream.BytesLeft()));
+        return false;
+    }
+    /// Rows to make room for; a gzipped file's promises are not trusted.
+    size_t RowsAhead(const PlyElement &e) const {
+        return stream.KnowsLength() ? e.count : std::min<size_t>(e.count, size_t(1) << 20);
+    }
+
+    // --- Vertices ---
+
+    bool Vertices(const PlyElement &e) {
+        std::vector<Column> columns;
+        if (!Find(e, {"x", "y", "z"}, 0, &columns)) {
+            Fail("its vertices have no x, y and z");
+            return false;
+        }
+        if (Find(e, {"nx", "ny", "nz"}, 1, &columns)) mesh.n.reserve(RowsAhead(e));
+        static constexpr std::array<std::array<std::string_view, 2>, 4> kUV{
+            {{"u", "v"}, {"s", "t"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}}};
+        for (const auto &[u, v] : kUV)
+            if (Find(e, {u, v}, 2, &columns)) {
+                mesh.uv.reserve(RowsAhead(e));
+                break;
+            }
+        mesh.p.reserve(RowsAhead(e) + 1);  // and room for Embree's 16-byte reads
+        const bool hasLists = std::any_of(e.properties.begin(), e.properties.end(),
+                                          [](const PlyProperty &p) { return p.IsList(); });
+        const size_t rowBytes = e.LeastRowBytes(format);
+        const bool inBlocks = format != PlyFormat::Ascii && !hasLists &&
+                              rowBytes <= PlyStream::kMostAhead;
+        for (size_t done = 0; done < e.count;) {
+            size_t rows = std::min(kRowsAtOnce, e.count - done);
+            if (inBlocks) {
+                if (!stream.Fill(rowBytes)) return EndsIn(e, done);
+                rows = std::min(rows, stream.Available() / rowBytes);
+            }
+            const std::array<float *, 3> out = GrowVertices(done, rows, columns);
+            if (inBlocks) {
+                VertexBlock(e, rows, columns, out);
+            } else {
+                for (size_t row = 0; row < rows; ++row)
+                    if (!VertexRow(e, row, columns, out)) return EndsIn(e, done + row);
+            }
+            done += rows;
+        }
+        return true;
+    }
+
+    /// Adds columns for the named properties if all are there as single numbers.
+    static bool Find(const PlyElement &e, std::initializer_list<std::string_view> names, int array,
+                     std::vector<Column> *columns) {
+        std::vector<Column> found;
+        for (const std::string_view name : names) {
+            const int i = e.Find(name);
+            if (i < 0 || e.properties[size_t(i)].IsList()) return false;
+            found.push_back({i, array, int(found.size())});
+        }
+        columns->insert(columns->end(), found.begin(), found.end());
+        return true;
+    }
+
+    static constexpr int kStride[3] = {3, 3, 2};
+
+    /// Makes room for rows more; where they start in each array.
+    std::array<float *, 3> GrowVertices(size_t done, size_t rows,
+                                        const std::vector<Column> &columns) {
+        std::array<float *, 3> out{};
+        for (const Column &c : columns) {
+            if (c.k != 0) continue;
+            if (c.array == 0) mesh.p.resize(done + rows), out[0] = &mesh.p[done].x;
+            if (c.array == 1) mesh.n.resize(done + rows), out[1] = &mesh.n[done].x;
+            if (c.array == 2) mesh.uv.resize(done + rows), out[2] = &mesh.uv[done].x;
+        }
+        return out;
+    }
+
+    void VertexBlock(const PlyElement &e, size_t rows, const std::vector<Column> &columns,
+                     const std::array<float *, 3> &out) {
+        const size_t rowBytes = e.LeastRowBytes(format);
+        for (const Column &c : columns) {
+            size_t offset = 0;
+            for (int i = 0; i < c.property; ++i) offset += PlySize(e.properties[size_t(i)].type);
+            const PlyType type = e.properties[size_t(c.property)].type;
+            const uint8_t *from = stream.Data() + offset;
+            float *to = out[size_t(c.array)] + c.k;
+            const int stride = kStride[c.array];
+            const bool swap = values->Swaps();
+            if (type == PlyType::Float32 && !swap)
+                for (size_t i = 0; i < rows; ++i, from += rowBytes, to += stride)
+                    *to = LoadValue<float>(from, false);
+            else
+                for (size_t i = 0; i < rows; ++i, from += rowBytes, to += stride)
+                    *to = float(LoadValue(from, type, swap));
+        }
+        stream.Skip(rows * rowBytes);
+    }
+
+    bool VertexRow(const PlyElement &e, size_t row, const std::vector<Column> &columns,
+                   const std::array<float *, 3> &out) {
+        for (size_t i = 0; i < e.properties.size(); ++i) {
+            double value;
+            if (!NextOrSkipList(e.properties[i], &value)) return false;
+            for (const Column &c : columns)
+                if (c.property == int(i))
+                    out[size_t(c.array)][row * size_t(kStride[c.array]) + size_t(c.k)] =
+                        float(value);
+        }
+        return true;
+    }
+
+    // --- Faces ---
+
+    bool Faces(const PlyElement &e) {
+        int list = e.Find("vertex_indices");
+        if (list < 0) list = e.Find("vertex_index");
+        if (list < 0 || !e.properties[size_t(list)].IsList() ||
+            !IsIntegral(e.properties[size_t(list)].type)) {
+            Fail("its faces have no list of integers \"vertex_indices\"");
+            return false;
+        }
+        const int face = e.Find("face_indices");
+        const bool hasFaceIndices = face >= 0 && !e.properties[size_t(face)].IsList();
+        mesh.triangles.reserve(3 * RowsAhead(e));
+        const PlyProperty &p = e.properties[size_t(list)];
+        const bool plain = e.properties.size() == 1 && format != PlyFormat::Ascii &&
+                           PlySize(*p.countType) == 1 && PlySize(p.type) == 4;
+        for (size_t done = 0; done < e.count;) {
+            if (plain) done += TriangleRun(e.count - done);
+            if (done == e.count) break;
+            int faceIndex = 0;
+            if (!FaceRow(e, list, hasFaceIndices ? face : -1, &faceIndex))
+                return EndsIn(e, done);
+            if (hasFaceIndices) AddFaceIndex(faceIndex);
+            ++done;
+        }
+        return true;
+    }
+
+    /// Takes as many triangles (one byte 3, then three 4-byte indices) as lie in the window.
+    size_t TriangleRun(size_t most) {
+        constexpr size_t kBytes = 1 + 3 * 4;
+        if (!stream.Fill(kBytes)) return 0;
+        const uint8_t *from = stream.Data();
+        most = std::min(most, stream.Available() / kBytes);
+        const size_t before = mesh.triangles.size();
+        mesh.triangles.resize(before + 3 * most);
+        uint32_t *to = mesh.triangles.data() + before;
+        const bool swap = values->Swaps();
+        size_t n = 0;
+        for (; n < most && *from == 3; ++n, from += kBytes, to += 3)
+            for (int k = 0; k < 3; ++k) to[k] = LoadValue<uint32_t>(from + 1 + 4 * k, swap);
+        mesh.triangles.resize(before + 3 * n);
+        stream.Skip(n * kBytes);
+        return n;
+    }
+
+    bool FaceRow(const PlyElement &e, int list, int face, int *faceIndex) {
+        for (int i = 0; i < int(e.properties.size()); ++i) {
+            const PlyProperty &p = e.properties[size_t(i)];
+            double value;
+            if (i == list) {
+                if (!Face(p)) return false;
+            } else {
+                if (!NextOrSkipList(p, &value)) return false;
+                if (i == face) *faceIndex = int(value);
+            }
+        }
+        return true;
+    }
+
+    /// Adds the polygon whose corner list comes next.
+    bool Face(const PlyProperty &p) {
+        double count;
+        if (!values->Next(*p.countType, &count)) return false;
+        lastCorners = count >= 0 ? uint64_t(count) : 0;
+        if (lastCorners != 3 && lastCorners != 4) {
+            ++mesh.otherFaces;
+            return values->Skip(p.type, lastCorners);
+        }
+        uint32_t corner[4];
+        for (uint64_t i = 0; i < lastCorners; ++i) {
+            double index;
+            if (!values->Next(p.type, &index)) return false;
+            // Out of range either way; CheckIndices tells.
+            corner[i] = uint32_t(int64_t(std::clamp(index, -2147483648., 4294967295.)));
+        }
+        if (lastCorners == 3)
+            mesh.triangles.insert(mesh.triangles.end(), corner, corner + 3);
+        else
+            for (const int i : {0, 1, 3, 2}) mesh.quads.push_back(corner[i]);
+        return true;
+    }
+
+    void AddFaceIndex(int index) {
+        if (lastCorners == 3) mesh.triangleFaces.push_back(index);
+        if (lastCorners == 4) mesh.quadFaces.push_back(index);
+    }
+
+    bool CheckIndices(const std::vector<uint32_t> &indices) {
+        const size_t count = mesh.p.size();
+        uint32_t largest = 0;
+        for (const uint32_t i : indices) largest = std::max(largest, i);
+        if (indices.empty() || largest < count) return true;
+        Fail(fmt::format("names vertex {}, but has {} vertices",
+                         largest > 0x7fffffffu ? int64_t(int32_t(largest)) : int64_t(largest),
+                         count));
+        return false;
+    }
+
+    // --- Both ---
+
+    bool NextOrSkipList(const PlyProperty &p, double *value) {
+        if (!values->Next(p.countType.value_or(p.type), value)) return false;
+        return !p.IsList() || values->Skip(p.type, *value > 0 ? uint64_t(*value) : 0);
+    }
+
+    bool SkipElement(const PlyElement &e) {
+        // Rows without bytes are skipped at once, however many the header promises.
+        for (size_t row = 0; row < e.count && !e.properties.empty(); ++row)
+            for (const PlyProperty &p : e.properties) {
+                double value;
+                if (!NextOrSkipList(p, &value)) return EndsIn(e, row);
+            }
+        return true;
+    }
+
+    bool EndsIn(const PlyElement &e, size_t row) {
+        if (!values->Misfit().empty())
+            Fail(fmt::format("\"{}\" in {} {} is no number", values->Misfit(), e.name, row));
+        else
+            Fail(fmt::format("ends in {} {} of {}", e.name, row, e.count));
+        return false;
+    }
+    std::nullopt_t Fail(std::string message) {
+        *problem = stream.Problem().empty() ? std::move(message) : stream.Problem();
+        return std::nullopt;
+    }
+
+    PlyStream stream;
+    std::string *problem;
+    PlyFormat format = PlyFormat::Ascii;
+    std::optional<PlyValues> values;
+    PlyMesh mesh;
+    uint64_t lastCorners = 0;
+};
+
+}  // namespace
+
+std::optional<PlyMesh> ReadPly(const std::string &fileName, std::string *problem) {
+    return PlyReader(fileName, problem).Read();
 }
 
 }  // namespace pbrt
