@@ -79,7 +79,7 @@ void BuildLights(const Description &scene, const std::string &lightSampler,
         Geometry &geometry = world.geometries[emitter.geometry];
         ParamDict params =
             Params(*emitter.areaLight, "area light", emitter.areaLight->type, scene, log);
-        std::vector<Light> made = CreateAreaLights(emitter.areaLight->type, params, geometry.shape);
+        std::vector<Light> made = CreateAreaLights(emitter.areaLight->type, params, geometry.shape, geometry.alpha);
         if (made.empty()) continue;
         // Alpha 0 everywhere: a light that is sampled but never seen.
         geometry.firstLight = int(world.lights.size());
