@@ -33,6 +33,15 @@ class FeatherBarbuleBxDF {
                           s->isGap ? BxDFFlags::Transmission | BxDFFlags::Specular | BxDFFlags::Gap
                                    : side | BxDFFlags::Glossy};
     }
+    /// The two terms of f by themselves.
+    struct LobeValues {
+        SampledSpectrum R, TRT;
+    };
+    LobeValues Parts(Vector3f wo, Vector3f wi) const {
+        const auto view = barbule.SeenFrom(Local(wo));
+        return {SampledSpectrum(barbule.R(view, Local(wi))),
+                SampledSpectrum(barbule.TRT(view, Local(wi)))};
+    }
     /// Fraction of light from w that passes straight through.
     float GapFraction(Vector3f w) const { return barbule.GapFraction(Local(w)); }
     /// Nothing here is sharper than the opening makes it.

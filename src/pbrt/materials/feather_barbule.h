@@ -27,6 +27,12 @@ class FeatherBarbuleMaterial {
     Frame TurnFrame(const Frame &frame, const TextureEvalContext &ctx) const;
     /// Share of light from direction w (local, of the turned frame) that passes straight through.
     float GapFraction(const TextureEvalContext &ctx, Vector3f w) const;
+    /// The double-precision twin of GetBxDF's model at these wavelengths (nm): the oracle of tests
+    /// and tools. `Quadrature` as in feather::Barbule.
+    template <typename Model>
+    Model Oracle(const TextureEvalContext &ctx,
+                 const std::array<float, NSpectrumSamples> &nanometres) const;
+    using ConvergedQuadrature = feather::Converged<16, 8>;
     /// A sentence where texture values had to be clamped; else empty.
     std::string Remarks() const;
 
@@ -44,5 +50,21 @@ class FeatherBarbuleMaterial {
     };
     std::shared_ptr<ClampCounts> clamped = std::make_shared<ClampCounts>();
 };
+
+template <typename Model>
+Model FeatherBarbuleMaterial::Oracle(
+    const TextureEvalContext &ctx, const std::array<float, NSpectrumSamples> &nanometres) const {
+    const feather::BarbuleParams<float> p = Params(ctx);
+    feather::Optics<double, NSpectrumSamples> optics;
+    const SampledSpectrum reflectance =
+        melanin.Evaluate(ctx, SampledWavelengths::Of(nanometres));
+    for (int i = 0; i < NSpectrumSamples; ++i) {
+        optics.lambda[i] = nanometres[i];
+        optics.eta[i] = std::max(1.f, eta(nanometres[i]));
+        optics.melanin[i] = std::clamp(reflectance[i], 0.f, 1.f);
+    }
+    return Model({{p.thickness.value}, p.spacing, {p.tilt.value}, p.aspect, {p.opening.value}},
+                 optics);
+}
 
 }  // namespace pbrt

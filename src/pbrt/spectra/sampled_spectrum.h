@@ -83,6 +83,13 @@ class SampledWavelengths {
     static SampledWavelengths SampleVisible(float u);
     /// The i-th wavelength lies i quarters of the range after the first, wrapped round.
     static SampledWavelengths SampleUniform(float u, float min = LambdaMin, float max = LambdaMax);
+    /// Given ones, each with pdf 1.
+    static SampledWavelengths Of(const std::array<float, NSpectrumSamples> &nanometres) {
+        SampledWavelengths w;
+        w.lambda = SampledSpectrum(nanometres);
+        w.pdf = SampledSpectrum(1.f);
+        return w;
+    }
 
     float operator[](int i) const { return lambda[i]; }
     SampledSpectrum Lambda() const { return lambda; }
