@@ -1,0 +1,35 @@
+#pragma once
+
+#include "pbrt/samplers/sampler.h"
+#include "pbrt/util/hash.h"
+
+namespace pbrt {
+
+/// Every number on its own: hashes of (seed, pixel, sample index, dimension).
+class IndependentSampler {
+  public:
+    static constexpr std::string_view kName = "independent";
+
+    explicit IndependentSampler(int samplesPerPixel = 4, int seed = 0)
+        : samplesPerPixel(samplesPerPixel), seed(seed) {}
+
+    static IndependentSampler Create(ParamDict &params, const SamplerContext &context);
+
+    int SamplesPerPixel() const { return samplesPerPixel; }
+    /// `dimension` counts draws of either kind.
+    void StartPixelSample(Point2i pixel, int sampleIndex, int dimension = 0) {
+        state = Hash(seed, pixel, sampleIndex) + uint64_t(dimension) * kGolden64;
+    }
+    float Get1D() { return Get2D().x; }
+    Point2f Get2D() {
+        const uint64_t bits = Mix64(state += kGolden64);
+        return {ToUnitFloat(uint32_t(bits >> 32)), ToUnitFloat(uint32_t(bits))};
+    }
+    Point2f GetPixel2D() { return Get2D(); }
+
+  private:
+    int samplesPerPixel, seed;
+    uint64_t state = 0;
+};
+
+}  // namespace pbrt

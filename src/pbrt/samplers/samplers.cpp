@@ -1,0 +1,78 @@
+#include "pbrt/samplers/samplers.h"
+
+#include <fmt/format.h>
+
+namespace pbrt {
+namespace {
+
+constexpr int kMaxSamples = 1 << 24;
+constexpr int kMaxStrata = 1 << 10;
+constexpr int kMaxZSobolResolution = 1 << 16;
+
+int ReadSamples(ParamDict &params, int def, const SamplerContext &context) {
+    const int written = params.GetOneInt("pixelsamples", def, 1, kMaxSamples);
+    return std::clamp(context.spp.value_or(written), 1, kMaxSamples);
+}
+
+int ReadSeed(ParamDict &params, const SamplerContext &context) {
+    return params.GetOneInt("seed", context.seed);
+}
+
+/// The two factors of n that are nearest to each other, the larger first.
+Point2i NearlySquare(int n) {
+    int small = int(std::sqrt(float(n)));
+    while (n % small != 0)
+        --small;
+    return {n / small, small};
+}
+
+}  // namespace
+
+IndependentSampler IndependentSampler::Create(ParamDict &params, const SamplerContext &context) {
+    return IndependentSampler(ReadSamples(params, 4, context), ReadSeed(params, context));
+}
+
+StratifiedSampler StratifiedSampler::Create(ParamDict &params, const SamplerContext &context) {
+    Point2i cells{params.GetOneInt("xsamples", 4, 1, kMaxStrata),
+                  params.GetOneInt("ysamples", 4, 1, kMaxStrata)};
+    const bool jitter = params.GetOneBool("jitter", true);
+    if (context.spp) cells = NearlySquare(std::clamp(*context.spp, 1, kMaxStrata * kMaxStrata));
+    return StratifiedSampler(cells.x, cells.y, jitter, ReadSeed(params, context));
+}
+
+ZSobolSampler ZSobolSampler::Create(ParamDict &params, const SamplerContext &context) {
+    static constexpr std::array<std::string_view, 4> kNames{"none", "permutedigits", "owen",
+                                                            "fastowen"};
+    const int asked = ReadSamples(params, 16, context);
+    const int used = int(std::bit_floor(uint32_t(asked)));
+    if (used != asked) {
+        params.Warning("pixelsamples",
+                       fmt::format("zsobol needs a power of two: taking {} samples per pixel "
+                                   "instead of {}",
+                                   used, asked));
+    }
+    const int randomization = params.GetOneChoice("randomization", "fastowen", kNames);
+    Point2i resolution = context.fullResolution;
+    if (std::max(resolution.x, resolution.y) > kMaxZSobolResolution) {
+        params.Error(fmt::format("zsobol takes pictures of up to {} pixels a side, this one has {}",
+                                 kMaxZSobolResolution, std::max(resolution.x, resolution.y)));
+        resolution = {1, 1};
+    }
+    return ZSobolSampler(used, resolution, Randomization(randomization), ReadSeed(params, context));
+}
+
+std::optional<Sampler> CreateSampler(ParamDict &params, std::string_view type,
+                                     std::optional<int> spp, int seed, Point2i fullResolution) {
+    std::optional<Sampler> sampler;
+    const bool known = SamplerTypes::Visit(type, [&]<typename S>() {
+        sampler = S::Create(params, {spp, seed, fullResolution});
+    });
+    if (!known) {
+        params.Error(UnknownName("sampler", type, SamplerTypes::kNames));
+        return {};
+    }
+    params.ReportUnused();
+    return sampler;
+}
+
+}  // namespace pbrt
