@@ -2,7 +2,7 @@
 
 namespace pbrt::spectra::tables {
 
-// CIE 1931 2 degree standard observer, 360-830 nm in steps of 1 nm (CIE 018:2019, table 6).
+// CIE 1931 2 degree standard observer, 360-830 nm in steps of 1 nm (CIE 018:2019).
 
 const std::array<float, 471> cieX{
     1.299e-4f, 1.45847e-4f, 1.638021e-4f, 1.840037e-4f, 2.066902e-4f, 2.321e-4f, 2.60728e-4f,

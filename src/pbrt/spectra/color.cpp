@@ -7,45 +7,13 @@
 #include <cmath>
 #include <optional>
 
+#include "pbrt/image/image.h"
+#include "pbrt/spectra/matrix.h"
 #include "pbrt/spectra/sigmoid_fit.h"
 #include "pbrt/spectra/sigmoid_table.h"
 
 namespace pbrt {
 namespace {
-
-using Matrix3d = std::array<Triple, 3>;
-
-Triple Mul(const Matrix3d &m, const Triple &v) {
-    Triple r{};
-    for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-            r[i] += m[i][j] * v[j];
-    return r;
-}
-
-Matrix3d Mul(const Matrix3d &a, const Matrix3d &b) {
-    Matrix3d r{};
-    for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-            for (int k = 0; k < 3; ++k)
-                r[i][j] += a[i][k] * b[k][j];
-    return r;
-}
-
-/// Inverse by cofactors.
-Matrix3d Inverse(const Matrix3d &m) {
-    Matrix3d r;
-    for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) {
-            const int a = (j + 1) % 3, b = (j + 2) % 3, c = (i + 1) % 3, d = (i + 2) % 3;
-            r[i][j] = m[a][c] * m[b][d] - m[a][d] * m[b][c];
-        }
-    const double determinant = m[0][0] * r[0][0] + m[0][1] * r[1][0] + m[0][2] * r[2][0];
-    for (auto &row : r)
-        for (double &v : row)
-            v /= determinant;
-    return r;
-}
 
 Matrix3 ToFloat(const Matrix3d &m) {
     Matrix3 r;
@@ -101,23 +69,15 @@ struct ScaledAlbedo {
 }  // namespace
 
 struct RGBColorSpace::Tables {
-    Tables(const Spectrum &illuminant, const std::array<std::array<float, 2>, 4> &xy)
-        : fit(illuminant), xyzFromRGB(MatrixOfPrimaries(xy, fit.White())) {
-        auto dense = std::make_shared<DenseTable>();
-        for (int i = 0; i < DenseTable::Size; ++i)
-            dense->values.push_back(illuminant(LambdaMin + i));
-        this->illuminant = std::move(dense);
-    }
+    Tables(std::shared_ptr<const DenseTable> illuminant, const Matrix3d &rgbFromXYZ)
+        : illuminant(illuminant), fit(Spectrum::Dense(illuminant), rgbFromXYZ) {}
     const SigmoidTable &LookUpTable() {
-        tbb::collaborative_call_once(once, [this] {
-            table.emplace(fit, [this](const Triple &rgb) { return Mul(xyzFromRGB, rgb); });
-        });
+        tbb::collaborative_call_once(once, [this] { table.emplace(fit); });
         return *table;
     }
 
-    SigmoidFit fit;
-    Matrix3d xyzFromRGB;
     std::shared_ptr<const DenseTable> illuminant;
+    SigmoidFit fit;
 
   private:
     // A cache: filled at the first look-up, by all threads that wait for it.
@@ -135,15 +95,16 @@ std::array<float, 3> Mul(const Matrix3 &m, const std::array<float, 3> &v) {
 RGBColorSpace::RGBColorSpace(std::string_view name,
                              const std::array<std::array<float, 2>, 4> &chromaticities,
                              const Spectrum &illuminant)
-    : name(name),
-      xy(chromaticities),
-      illuminant(illuminant),
-      tables(std::make_unique<Tables>(illuminant, chromaticities)) {
-    xyzFromRGB = ToFloat(tables->xyzFromRGB);
-    rgbFromXYZ = ToFloat(Inverse(tables->xyzFromRGB));
-    const Triple &white = tables->fit.White();
-    const double sum = white[0] + white[1] + white[2];
-    xy[3] = {float(white[0] / sum), float(white[1] / sum)};
+    : name(name), xy(chromaticities), illuminant(illuminant) {
+    const auto [X, Y, Z] = SpectrumToXYZ(illuminant);
+    xy[3] = {X / (X + Y + Z), Y / (X + Y + Z)};
+    const Matrix3d matrix = MatrixOfPrimaries(xy, {double(X) / Y, 1, double(Z) / Y});
+    xyzFromRGB = ToFloat(matrix);
+    rgbFromXYZ = ToFloat(Inverse(matrix));
+    auto dense = std::make_shared<DenseTable>();
+    for (int i = 0; i < DenseTable::Size; ++i)
+        dense->values.push_back(illuminant(LambdaMin + i));
+    tables = std::make_unique<Tables>(std::move(dense), Inverse(matrix));
 }
 
 RGBColorSpace::~RGBColorSpace() = default;
@@ -207,7 +168,7 @@ XYZ RGBColorSpace::ToXYZ(const RGB &c) const {
 RGBSigmoid RGBColorSpace::FitSigmoid(const RGB &rgb) const {
     const RGB c = InUnitRange(rgb);
     if (IsGrey(c)) return GreySigmoid(c.r);
-    return ToSigmoid(tables->fit.Fit(Mul(tables->xyzFromRGB, Triple{c.r, c.g, c.b})).parameters);
+    return ToSigmoid(tables->fit.Fit({c.r, c.g, c.b}).parameters);
 }
 
 RGBSigmoid RGBColorSpace::LookUpSigmoid(const RGB &rgb) const {
@@ -253,13 +214,11 @@ SampledSpectrum RGBColorSpace::SampleIlluminant(const RGB &rgb,
 }
 
 float LinearToSRGB(float linear) {
-    if (linear <= 0.0031308f) return 12.92f * linear;
-    return 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f;
+    return ColorEncoding{ColorEncoding::Kind::sRGB}.FromLinear(linear);
 }
 
 float SRGBToLinear(float encoded) {
-    if (encoded <= 0.04045f) return encoded / 12.92f;
-    return std::pow((encoded + 0.055f) / 1.055f, 2.4f);
+    return ColorEncoding{ColorEncoding::Kind::sRGB}.ToLinear(encoded);
 }
 
 Matrix3 WhiteBalance(const std::array<float, 2> &fromXY, const std::array<float, 2> &toXY) {

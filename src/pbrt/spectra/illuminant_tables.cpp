@@ -2,7 +2,7 @@
 
 namespace pbrt::spectra::tables {
 
-// Components of daylight, 300-830 nm in steps of 10 nm (CIE 015:2018, table 6).
+// Components of daylight, 300-830 nm in steps of 10 nm (CIE 015:2018).
 
 const std::array<float, 54> daylight0{
     .04f, 6, 29.6f, 55.3f, 57.3f, 61.8f, 61.5f, 68.8f, 63.4f, 65.8f, 94.8f, 104.8f, 105.9f, 96.8f,
@@ -26,7 +26,7 @@ const std::array<float, 54> daylight2{
     6.7f, 5.2f, 7.4f, 6.8f, 7, 6.4f, 5.5f, 6.1f, 6.5f,
 };
 
-// Fluorescent lamps F1 to F12, 380-780 nm in steps of 5 nm (CIE 015:2018, table 10.1).
+// Fluorescent lamps F1 to F12, 380-780 nm in steps of 5 nm (CIE 015:2018).
 const std::array<std::array<float, 81>, 12> fluorescent{{
     {
         1.87f, 2.36f, 2.94f, 3.47f, 5.17f, 19.49f, 6.13f, 6.24f, 7.01f, 7.79f, 8.56f, 43.67f,

@@ -66,7 +66,7 @@ Spectrum Fluorescent(int number) {
 
 /// The D illuminants were defined with another second radiation constant, 1.4380e-2 m K.
 Spectrum StandardDaylight(double nominalKelvin) {
-    return Spectrum::Daylight(float(nominalKelvin * (1.4388 / 1.4380)));
+    return Spectrum::Daylight(nominalKelvin * (1.4388 / 1.4380));
 }
 
 struct Library {

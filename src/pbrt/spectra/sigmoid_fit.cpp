@@ -1,5 +1,6 @@
 #include "pbrt/spectra/sigmoid_fit.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "pbrt/spectra/tables.h"
@@ -9,31 +10,18 @@ namespace {
 
 constexpr double Centre = 595, HalfWidth = 235;  // nm
 /// Steeper quadratics have edges narrower than the 1 nm at which spectra are summed.
-constexpr double LargestParameter = 1e4;
+constexpr double LargestParameter = 3000;
 
-/// CIELAB's companded ratio and its derivative; linear below (6/29)^3, also for negative ratios.
-struct Companded {
-    double f, derivative;
-};
-Companded Compand(double ratio) {
-    constexpr double delta = 6.0 / 29, slope = 1 / (3 * delta * delta);
-    if (ratio <= delta * delta * delta) return {slope * ratio + 4.0 / 29, slope};
-    const double root = std::cbrt(ratio);
-    return {root, 1 / (3 * root * root)};
-}
-Triple LabOfCompanded(double x, double y, double z) {
-    return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
-}
 double SquaredNorm(const Triple &v) {
     return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
 }
 
 /// Solves the symmetric positive definite a x = b by Cholesky's factors.
-Triple SolveSymmetric(std::array<Triple, 3> a, Triple b) {
+Triple SolveSymmetric(Matrix3d a, Triple b) {
     for (int i = 0; i < 3; ++i) {
         for (int k = 0; k < i; ++k)
             a[i][i] -= a[i][k] * a[i][k];
-        a[i][i] = std::sqrt(a[i][i]);
+        a[i][i] = std::sqrt(std::max(a[i][i], 1e-300));
         for (int j = i + 1; j < 3; ++j) {
             for (int k = 0; k < i; ++k)
                 a[j][i] -= a[i][k] * a[j][k];
@@ -58,39 +46,52 @@ RGBSigmoid ToSigmoid(const SigmoidParameters &p) {
     return {float(a), float(b - 2 * a * Centre), float((a * Centre - b) * Centre + p[2])};
 }
 
-/// Parameters with the CIELAB difference to the target and its derivatives.
+/// Parameters with the difference of their colour to the target, and its derivatives.
 struct SigmoidFit::Trial {
     SigmoidParameters p;
     Triple residual;
-    std::array<Triple, 3> jacobian;  ///< [Lab][parameter]
-    double error;                    ///< squared norm of the residual
+    Matrix3d jacobian;  ///< [colour component][parameter]
+    double error;       ///< squared norm of the residual
+
+    /// Gauss and Newton's step, damped after Levenberg and Marquardt.
+    SigmoidParameters Next(double damping) const {
+        Matrix3d normal{};
+        Triple gradient{};
+        for (int j = 0; j < 3; ++j)
+            for (int row = 0; row < 3; ++row) {
+                gradient[j] -= jacobian[row][j] * residual[row];
+                for (int k = 0; k < 3; ++k)
+                    normal[j][k] += jacobian[row][j] * jacobian[row][k];
+            }
+        for (int j = 0; j < 3; ++j)
+            normal[j][j] += damping * normal[j][j];
+        const Triple step = SolveSymmetric(normal, gradient);
+        SigmoidParameters next;
+        for (int j = 0; j < 3; ++j)
+            next[j] = std::clamp(p[j] + step[j], -LargestParameter, LargestParameter);
+        return next;
+    }
 };
 
-SigmoidFit::SigmoidFit(const Spectrum &illuminant) : position(Blocks) {
+SigmoidFit::SigmoidFit(const Spectrum &illuminant, const Matrix3d &rgbFromXYZ) : position(Blocks) {
     namespace t = spectra::tables;
-    const std::array<const std::array<float, 471> *, 3> matching{&t::cieX, &t::cieY, &t::cieZ};
     double luminance = 0;
     for (int i = 0; i < DenseTable::Size; ++i)
         luminance += t::cieY[i] * double(illuminant(LambdaMin + i));
     for (auto &w : weight)
         w.resize(Blocks);
     for (int i = 0; i < DenseTable::Size; ++i) {
+        const double power = illuminant(LambdaMin + i) / luminance;
+        const Triple rgb =
+            Mul(rgbFromXYZ, Triple{power * t::cieX[i], power * t::cieY[i], power * t::cieZ[i]});
         position[i / 4][i % 4] = (i + LambdaMin - Centre) / HalfWidth;
-        for (int c = 0; c < 3; ++c) {
-            const double w = (*matching[c])[i] * double(illuminant(LambdaMin + i)) / luminance;
-            weight[c][i / 4][i % 4] = w;
-            white[c] += w;
-        }
+        for (int c = 0; c < 3; ++c)
+            weight[c][i / 4][i % 4] = rgb[c];
     }
 }
 
-Triple SigmoidFit::Lab(const Triple &xyz) const {
-    return LabOfCompanded(Compand(xyz[0] / white[0]).f, Compand(xyz[1] / white[1]).f,
-                          Compand(xyz[2] / white[2]).f);
-}
-
-/// For each matching function: the colour, and its derivatives by the three parameters.
-std::array<std::array<double, 4>, 3> SigmoidFit::Moments(const SigmoidParameters &p) const {
+SigmoidFit::Trial SigmoidFit::Try(const SigmoidParameters &p, const Triple &rgb) const {
+    // For each component: its value and its derivatives by the three parameters.
     std::array<std::array<Lanes, 4>, 3> sums{};
     for (int block = 0; block < Blocks; ++block) {
         const Lanes t = position[block];
@@ -107,58 +108,25 @@ std::array<std::array<double, 4>, 3> SigmoidFit::Moments(const SigmoidParameters
             sums[c][3] += w * slope;
         }
     }
-    std::array<std::array<double, 4>, 3> moments;
-    for (int c = 0; c < 3; ++c)
-        for (int k = 0; k < 4; ++k) {
-            const Lanes s = sums[c][k];
-            moments[c][k] = (s[0] + s[1]) + (s[2] + s[3]);
-        }
-    return moments;
-}
-
-SigmoidFit::Trial SigmoidFit::Try(const SigmoidParameters &p, const Triple &targetLab) const {
-    const auto moments = Moments(p);
-    double f[3], df[3][3];
+    const auto total = [](Lanes s) { return (s[0] + s[1]) + (s[2] + s[3]); };
+    Trial trial{p, {}, {}, 0};
     for (int c = 0; c < 3; ++c) {
-        const Companded companded = Compand(moments[c][0] / white[c]);
-        f[c] = companded.f;
-        for (int k = 0; k < 3; ++k)
-            df[c][k] = companded.derivative * moments[c][k + 1] / white[c];
-    }
-    Trial trial{p, LabOfCompanded(f[0], f[1], f[2]), {}, 0};
-    for (int k = 0; k < 3; ++k) {
-        trial.residual[k] -= targetLab[k];
-        trial.jacobian[0][k] = 116 * df[1][k];
-        trial.jacobian[1][k] = 500 * (df[0][k] - df[1][k]);
-        trial.jacobian[2][k] = 200 * (df[1][k] - df[2][k]);
+        trial.residual[c] = total(sums[c][0]) - rgb[c];
+        trial.jacobian[c] = {total(sums[c][1]), total(sums[c][2]), total(sums[c][3])};
     }
     trial.error = SquaredNorm(trial.residual);
     return trial;
 }
 
-SigmoidFit::Result SigmoidFit::Fit(const Triple &xyz, const SigmoidParameters &start) const {
-    constexpr double Enough = 1e-5;  // CIELAB units; 0.5 is just visible
-    const Triple target = Lab(xyz);
-    Trial best = Try(start, target);
+SigmoidFit::Result SigmoidFit::Fit(const Triple &rgb, const SigmoidParameters &start) const {
+    const double enough = Sqr(1e-5 * std::max({rgb[0], rgb[1], rgb[2]}));
+    Trial best = Try(start, rgb);
     double damping = 1e-4;
-    for (int i = 0; i < 60 && best.error > Sqr(Enough) && damping < 1e8; ++i) {
-        // Gauss and Newton's step, damped after Levenberg and Marquardt.
-        std::array<Triple, 3> normal{};
-        Triple gradient{};
-        for (int j = 0; j < 3; ++j)
-            for (int row = 0; row < 3; ++row) {
-                gradient[j] -= best.jacobian[row][j] * best.residual[row];
-                for (int k = 0; k < 3; ++k)
-                    normal[j][k] += best.jacobian[row][j] * best.jacobian[row][k];
-            }
-        for (int j = 0; j < 3; ++j)
-            normal[j][j] += damping * normal[j][j] + 1e-12;
-        const Triple step = SolveSymmetric(normal, gradient);
-        SigmoidParameters p = best.p;
-        for (int j = 0; j < 3; ++j)
-            p[j] = std::clamp(p[j] + step[j], -LargestParameter, LargestParameter);
-        const Trial next = Try(p, target);
+    int stalled = 0;  // colours out of reach are approached ever slower
+    for (int i = 0; i < 60 && best.error > enough && damping < 1e8 && stalled < 2; ++i) {
+        const Trial next = Try(best.Next(damping), rgb);
         if (next.error < best.error) {
+            stalled = next.error > 0.99 * best.error ? stalled + 1 : 0;
             best = next;
             damping *= 0.1;
         } else {
@@ -168,14 +136,9 @@ SigmoidFit::Result SigmoidFit::Fit(const Triple &xyz, const SigmoidParameters &s
     return {best.p, std::sqrt(best.error)};
 }
 
-SigmoidFit::Result SigmoidFit::Fit(const Triple &xyz) const {
-    const double grey = std::clamp(xyz[1], 1e-4, 1 - 1e-4);
-    return Fit(xyz, {0, 0, (grey - 0.5) / std::sqrt(grey * (1 - grey))});
-}
-
-Triple SigmoidFit::Color(const SigmoidParameters &p) const {
-    const auto moments = Moments(p);
-    return {moments[0][0], moments[1][0], moments[2][0]};
+SigmoidFit::Result SigmoidFit::Fit(const Triple &rgb) const {
+    const double grey = (rgb[0] + rgb[1] + rgb[2]) / 3;
+    return Fit(rgb, {0, 0, (grey - 0.5) / std::sqrt(grey * (1 - grey))});
 }
 
 }  // namespace pbrt

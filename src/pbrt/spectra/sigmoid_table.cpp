@@ -2,6 +2,9 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace pbrt {
 namespace {
 
@@ -15,24 +18,24 @@ float PositionOfGreatest(float z) {
 float PositionOfRatio(float x) {
     return 0.7f * std::sqrt(x) + 0.3f * x;
 }
-/// The value in [0, 1] at a position.
-double Invert(float (*position)(float), double at) {
-    double low = 0, high = 1;
-    for (int i = 0; i < 40; ++i) {
-        const double middle = (low + high) / 2;
-        (position(float(middle)) < at ? low : high) = middle;
+/// Values in [0, 1] at `count` equidistant positions.
+std::vector<double> NodesOf(float (*position)(float), int count) {
+    std::vector<double> nodes(static_cast<size_t>(count));
+    for (int i = 0; i < count; ++i) {
+        double low = 0, high = 1;
+        for (int halving = 0; halving < 40; ++halving) {
+            const double middle = (low + high) / 2;
+            (position(float(middle)) < i / (count - 1.0) ? low : high) = middle;
+        }
+        nodes[static_cast<size_t>(i)] = high;
     }
-    return high;
+    nodes.back() = 1;
+    return nodes;
 }
 
 float StoredScale(float mean) {
     return 2 * std::sqrt(mean * (1 - mean));
 }
-/// x of the constant spectrum `value`.
-double GreyParameter(double value) {
-    return (value - 0.5) / std::sqrt(value * (1 - value));
-}
-
 struct Cell {
     int index;
     float fraction;
@@ -45,47 +48,44 @@ Cell CellAt(float position, int count) {
 
 }  // namespace
 
-SigmoidTable::SigmoidTable(const SigmoidFit &fit,
-                           const std::function<Triple(const Triple &)> &xyzOf)
-    : nodes(Index(3, 0, 0, 0)) {
+SigmoidTable::SigmoidTable(const SigmoidFit &fit) : nodes(Index(3, 0, 0, 0)) {
+    std::vector<double> z = NodesOf(PositionOfGreatest, ZCount);
+    z[0] = 1e-4;  // black has no sigmoid, but what is stored has a limit there
+    const std::vector<double> ratio = NodesOf(PositionOfRatio, XYCount);
     tbb::parallel_for(0, 3 * XYCount * XYCount, [&](int i) {
-        FillColumn(fit, xyzOf, i / (XYCount * XYCount), i / XYCount % XYCount, i % XYCount);
+        const int y = i / XYCount % XYCount, x = i % XYCount;
+        // Mean of the least colour in the cells below the column's nodes, per z.
+        const double least = (1 + (x ? ratio[x - 1] : 0) + (y ? ratio[y - 1] : 0)) / 3;
+        const auto reached =
+            std::find_if(z.begin(), z.end(), [&](double v) { return v * least > 0.5; });
+        const size_t count = std::min(z.size(), size_t(reached - z.begin()) + 1);
+        FillColumn(fit, {i / (XYCount * XYCount), ratio[x], ratio[y]}, {z.data(), count},
+                   &nodes[Index(0, 0, 0, 0) + size_t(i) * ZCount]);
     });
 }
 
-void SigmoidTable::FillColumn(const SigmoidFit &fit,
-                              const std::function<Triple(const Triple &)> &xyzOf, int greatest,
-                              int y, int x) {
-    const double xRatio = Invert(PositionOfRatio, x / (XYCount - 1.0));
-    const double yRatio = Invert(PositionOfRatio, y / (XYCount - 1.0));
-    const auto fill = [&](int z, const SigmoidParameters *start) {
-        // Black has no sigmoid; the stored product has a limit there.
-        double value = std::max(1e-4, Invert(PositionOfGreatest, z / (ZCount - 1.0)));
-        // Brighter than any look-up reaches: such nodes stay what the one below is.
-        value = std::min(value, 1.9 / (1 + xRatio + yRatio));
-        const double mean = value * (1 + xRatio + yRatio) / 3;
-        SigmoidParameters p{0, 0, GreyParameter(mean)};
-        if (xRatio < 1 || yRatio < 1) {
-            Triple rgb;
-            rgb[greatest] = value;
-            rgb[(greatest + 1) % 3] = xRatio * value;
-            rgb[(greatest + 2) % 3] = yRatio * value;
-            const Triple xyz = xyzOf(rgb);
-            p = (start ? fit.Fit(xyz, *start) : fit.Fit(xyz)).parameters;
-        }
-        const double scale = StoredScale(float(mean));
-        nodes[Index(greatest, y, x, z)] =
-            Lanes{float(p[0] * scale), float(p[1] * scale), float(p[2] * scale), 0};
+void SigmoidTable::FillColumn(const SigmoidFit &fit, const Column &column,
+                              std::span<const double> z, Lanes *out) {
+    const double sum = 1 + column.xRatio + column.yRatio;
+    const auto fill = [&](size_t i, const SigmoidParameters *start) {
+        Triple rgb;
+        rgb[column.greatest] = z[i];
+        rgb[(column.greatest + 1) % 3] = column.xRatio * z[i];
+        rgb[(column.greatest + 2) % 3] = column.yRatio * z[i];
+        const SigmoidParameters p = (start ? fit.Fit(rgb, *start) : fit.Fit(rgb)).parameters;
+        const double scale = StoredScale(float(z[i] * sum / 3));
+        out[i] = Lanes{float(p[0] * scale), float(p[1] * scale), float(p[2] * scale), 0};
         return p;
     };
-    constexpr int Middle = ZCount / 2;
-    const SigmoidParameters middle = fill(Middle, nullptr);
-    SigmoidParameters p = middle;
-    for (int z = Middle + 1; z < ZCount; ++z)
-        p = fill(z, &p);
-    p = middle;
-    for (int z = Middle - 1; z >= 0; --z)
-        p = fill(z, &p);
+    // Neighbours start from each other, from the easiest colours towards the extreme ones.
+    const size_t middle = std::min(z.size() - 1, size_t(ZCount / 2));
+    const SigmoidParameters first = fill(middle, nullptr);
+    SigmoidParameters p = first;
+    for (size_t i = middle + 1; i < z.size(); ++i)
+        p = fill(i, &p);
+    p = first;
+    for (size_t i = middle; i-- > 0;)
+        p = fill(i, &p);
 }
 
 SigmoidTable::Lanes SigmoidTable::Interpolate(const std::array<float, 3> &rgb) const {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <array>
-#include <functional>
+#include <span>
 #include <vector>
 
 #include "pbrt/spectra/sigmoid_fit.h"
@@ -18,8 +18,8 @@ namespace pbrt {
 /// Component error of a look-up in sRGB: 2e-3 at most, 2e-4 on average.
 class SigmoidTable {
   public:
-    /// `xyzOf` gives the XYZ of linear RGB. Runs in parallel.
-    SigmoidTable(const SigmoidFit &fit, const std::function<Triple(const Triple &)> &xyzOf);
+    /// Runs in parallel.
+    explicit SigmoidTable(const SigmoidFit &fit);
 
     /// Components in [0, 1], not all equal.
     RGBSigmoid LookUp(const std::array<float, 3> &rgb) const;
@@ -31,8 +31,13 @@ class SigmoidTable {
     static size_t Index(int greatest, int y, int x, int z) {
         return size_t(((greatest * XYCount + y) * XYCount + x) * ZCount + z);
     }
-    void FillColumn(const SigmoidFit &fit, const std::function<Triple(const Triple &)> &xyzOf,
-                    int greatest, int y, int x);
+    /// Colours of one ratio of components.
+    struct Column {
+        int greatest;
+        double xRatio, yRatio;
+    };
+    static void FillColumn(const SigmoidFit &fit, const Column &column, std::span<const double> z,
+                           Lanes *out);
     Lanes Interpolate(const std::array<float, 3> &rgb) const;
 
     std::vector<Lanes> nodes;  ///< scaled parameters; the last lane is idle

@@ -50,12 +50,16 @@ Spectrum Spectrum::Blackbody(float kelvin) {
     return DenselySampled([&](float l) { return BlackbodyRadiance(l, kelvin) / peak; });
 }
 
-Spectrum Spectrum::Daylight(float kelvin) {
+std::array<double, 2> DaylightChromaticity(double kelvin) {
     DCHECK(kelvin >= 4000 && kelvin <= 25000);
-    const double r = 1000.0 / kelvin;
+    const double r = 1000 / kelvin;
     const double x = kelvin <= 7000 ? 0.244063 + r * (0.09911 + r * (2.9678 - r * 4.6070))
                                     : 0.237040 + r * (0.24748 + r * (1.9018 - r * 2.0064));
-    const double y = (-3 * x + 2.870) * x - 0.275;
+    return {x, (-3 * x + 2.870) * x - 0.275};
+}
+
+Spectrum Spectrum::Daylight(double kelvin) {
+    const auto [x, y] = DaylightChromaticity(kelvin);
     // Rounded to three places, as the CIE does: that makes D50 and D65 the tabulated ones.
     const auto round = [](double v) { return std::round(v * 1000) / 1000; };
     const double m = 0.0241 + 0.2562 * x - 0.7341 * y;

@@ -56,7 +56,7 @@ class Spectrum {
     /// Planck radiance at T kelvin, scaled to peak 1 (at 2897772 / T nm, wherever that is); T > 0.
     static Spectrum Blackbody(float kelvin);
     /// CIE daylight of correlated colour temperature 4000 to 25000 K, 100 at 560 nm (CIE 015).
-    static Spectrum Daylight(float kelvin);
+    static Spectrum Daylight(double kelvin);
 
     float operator()(float lambda) const;
     SampledSpectrum Sample(const SampledWavelengths &lambda) const;
@@ -84,6 +84,9 @@ class Spectrum {
 
 /// Planck's spectral radiance in W / (m^2 sr m) at `lambda` nm and `kelvin`, both > 0.
 double BlackbodyRadiance(double lambda, double kelvin);
+
+/// CIE xy of daylight of correlated colour temperature 4000 to 25000 K (CIE 015).
+std::array<double, 2> DaylightChromaticity(double kelvin);
 
 /// Integral of s times the CIE 1931 y matching function over 360-830 nm (1 nm sums).
 float SpectrumToPhotometric(const Spectrum &s);

@@ -1,0 +1,59 @@
+#include "pbrt/spectra/spectrum_file.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "support/temp_folder.h"
+
+namespace pbrt {
+namespace {
+
+class SpectrumFile : public TempFolder {
+  protected:
+    OrError<SpectrumPoints> Read(const std::string &text) {
+        const std::string name = Path("curve.spd");
+        std::ofstream(name) << text;
+        return ReadSpectrumFile(name);
+    }
+};
+
+TEST_F(SpectrumFile, HoldsPairsInAnyLayout) {
+    const auto read = Read("# title 1 2\n400 0.5 # trailing 7\n\t500\n+1e0 600 -.25\r\n");
+    ASSERT_TRUE(read) << read.error;
+    EXPECT_EQ(read.value->lambda, (std::vector<float>{400, 500, 600}));
+    EXPECT_EQ(read.value->values, (std::vector<float>{0.5f, 1, -0.25f}));
+}
+
+TEST_F(SpectrumFile, ErrorsNameFileAndLine) {
+    const std::pair<const char *, const char *> cases[] = {
+        {"400 1\n500 x2\n", ":2: \"x2\" is not a number"},
+        {"400 1\n500 nan\n", ":2: \"nan\" is not a number"},
+        {"400 1 500 inf\n", ":1: \"inf\" is not a number"},
+        {"400 1,5\n", ":1: \"1,5\" is not a number"},
+        {"400 1\n\n400 2\n", ":3: wavelength 400 is not greater"},
+        {"400 1 500\n", "ends with a wavelength that has no value"},
+        {"# nothing\n", "holds no spectrum"},
+    };
+    for (const auto &[text, message] : cases) {
+        const auto read = Read(text);
+        EXPECT_FALSE(read) << text;
+        EXPECT_NE(read.error.find(message), std::string::npos) << read.error;
+        EXPECT_NE(read.error.find("curve.spd"), std::string::npos) << read.error;
+    }
+}
+
+TEST_F(SpectrumFile, MissingIsAnError) {
+    const auto read = ReadSpectrumFile("/nowhere/curve.spd");
+    EXPECT_FALSE(read);
+    EXPECT_EQ(read.error, "/nowhere/curve.spd: cannot be opened");
+}
+
+TEST_F(SpectrumFile, AFolderIsAnError) {
+    const auto read = ReadSpectrumFile(folder.string());
+    EXPECT_FALSE(read);
+    EXPECT_FALSE(read.error.empty());
+}
+
+}  // namespace
+}  // namespace pbrt
