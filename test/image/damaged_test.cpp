@@ -17,7 +17,7 @@ const std::vector<std::string> kRGB{"R", "G", "B"};
 class Damaged : public TempFolder {
   protected:
     OrError<Image> Read(const std::string &bytes) const {
-        EXPECT_EQ(WriteFileAtomically(Path("a"), bytes), std::nullopt);
+        Put("a", bytes);
         return ReadImage(Path("a"));
     }
     std::string Written(const std::string &extension, ExrPixels pixels = ExrPixels::Half) const {

@@ -9,7 +9,6 @@
 #include "image/pictures.h"
 #include "image/sample_files.h"
 #include "pbrt/image/image.h"
-#include "pbrt/util/atomic_file.h"
 #include "support/temp_folder.h"
 
 namespace pbrt {
@@ -21,7 +20,7 @@ class Reading : public TempFolder {
   protected:
     OrError<Image> Read(const std::string &bytes,
                         std::optional<ColorEncoding> encoding = std::nullopt) const {
-        EXPECT_EQ(WriteFileAtomically(Path("a"), bytes), std::nullopt);
+        Put("a", bytes);
         return ReadImage(Path("a"), encoding);
     }
     /// PNG by libpng's simplified interface.

@@ -13,24 +13,23 @@ using Columns = std::array<Vector3d, 3>;
 /// Rows of the inverse of the matrix with these columns.
 std::optional<Columns> InverseRows(const Columns &c) {
     const double determinant = Dot(Cross(c[0], c[1]), c[2]);
-    if (!(std::abs(determinant) > 1e-9)) return {};
+    if (!(std::abs(determinant) > 1e-9) || !std::isfinite(determinant)) return {};
     const double s = 1 / determinant;
     return Columns{s * Cross(c[1], c[2]), s * Cross(c[2], c[0]), s * Cross(c[0], c[1])};
 }
 
-Vector3d XYZOfUnitY(const std::array<float, 2> &xy) {
-    const double x = xy[0], y = xy[1];
-    return {x / y, 1, (1 - x - y) / y};
+/// At X + Y + Z = 1, since a primary's y may be 0.
+Vector3d XYZOf(const std::array<float, 2> &xy) {
+    return {xy[0], xy[1], 1 - double(xy[0]) - xy[1]};
 }
 
 /// Columns of XYZ from RGB: the primaries scaled so that their sum is the white of Y = 1.
 std::optional<Columns> XYZFromRGB(const Chromaticities &xy) {
-    for (const auto &c : xy)
-        if (!(std::abs(c[1]) > 1e-6f) || !std::isfinite(c[0]) || !std::isfinite(c[1])) return {};
-    Columns columns{XYZOfUnitY(xy[0]), XYZOfUnitY(xy[1]), XYZOfUnitY(xy[2])};
+    Columns columns{XYZOf(xy[0]), XYZOf(xy[1]), XYZOf(xy[2])};
     const std::optional<Columns> inverse = InverseRows(columns);
-    if (!inverse) return {};
-    const Vector3d white = XYZOfUnitY(xy[3]);
+    const double whiteY = xy[3][1];
+    if (!inverse || !(std::abs(whiteY) > 1e-6)) return {};
+    const Vector3d white = XYZOf(xy[3]) / whiteY;
     for (int i = 0; i < 3; ++i)
         columns[i] = Dot((*inverse)[i], white) * columns[i];
     return columns;

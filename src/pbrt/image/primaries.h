@@ -15,7 +15,7 @@ bool SamePrimaries(const Chromaticities &a, const Chromaticities &b);
 
 /// Matrix [row][column] that turns linear RGB of the primaries `from` into that of `to`, through
 /// XYZ and without adaptation of the white (as pbrt-v4 converts). nullopt where a set of primaries
-/// spans no space: three on a line, or a y of 0.
+/// spans no space: three on a line, or a white of y = 0.
 std::optional<std::array<std::array<float, 3>, 3>> RGBFromRGB(const Chromaticities &to,
                                                               const Chromaticities &from);
 

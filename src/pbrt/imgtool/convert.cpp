@@ -1,0 +1,110 @@
+#include <fmt/format.h>
+
+#include "pbrt/image/primaries.h"
+#include "pbrt/imgtool/command_line.h"
+#include "pbrt/imgtool/pictures.h"
+#include "pbrt/imgtool/tone.h"
+#include "pbrt/spectra/color.h"
+#include "pbrt/util/diagnostics.h"
+
+namespace pbrt::imgtool {
+namespace {
+
+struct Options {
+    std::string file, outfile, colorSpace;
+    std::vector<std::string> channels;
+    std::vector<int> crop;
+    float clamp = Infinity, despike = Infinity, scale = 1, exposure = 0, gamma = 1;
+    float maxLuminance = 1;
+    int repeat = 1;
+    bool bw = false, tonemap = false, preserveColors = false, acesFilmic = false, flipY = false;
+    bool fp16 = false;
+};
+
+std::optional<Outcome> ParseOptions(Args args, Options *o) {
+    CLI::App app(
+        "Changes pictures. What is asked for is done in this order: channels, crop, clamp, "
+        "colorspace, bw, despike, scale and exposure, gamma, tonemap, preservecolors, "
+        "acesfilmic, repeatpix, flipy. Channel A keeps its values.",
+        "imgtool convert");
+    app.add_option("picture", o->file, "picture to read (EXR, PNG, JPEG, PFM, HDR)")->required();
+    AddOutfile(&app, &o->outfile);
+    AddChannels(&app, &o->channels);
+    AddCrop(&app, &o->crop);
+    app.add_option("--clamp", o->clamp, "largest value");
+    app.add_option("--colorspace", o->colorSpace, "srgb, rec2020, dci-p3 or aces2065-1");
+    app.add_flag("--bw", o->bw, "gray: the mean of the channels");
+    app.add_option("--despike", o->despike,
+                   "replace pixels of a mean above this by the median of their neighbours");
+    app.add_option("--scale", o->scale, "factor (default 1)");
+    app.add_option("--exposure", o->exposure, "factor 2^x: x stops (default 0)");
+    app.add_option("--gamma", o->gamma, "exponent (default 1)")->check(CLI::PositiveNumber);
+    app.add_flag("--tonemap", o->tonemap, "Reinhard's operator on the mean of the channels");
+    app.add_option("--maxluminance", o->maxLuminance, "mean that --tonemap takes to 1 (default 1)")
+        ->check(CLI::PositiveNumber);
+    app.add_flag("--preservecolors", o->preserveColors,
+                 "scale pixels with values above 1 down instead of clipping each value");
+    app.add_flag("--acesfilmic", o->acesFilmic, "filmic curve to [0, 1]");
+    app.add_option("--repeatpix", o->repeat, "repeat pixels n times in both directions")
+        ->check(CLI::Range(1, 1024));
+    app.add_flag("--flipy", o->flipY, "upside down");
+    app.add_flag("--fp16", o->fp16, "half floats in EXR (default: as the input)");
+    return Parse(&app, args);
+}
+
+std::optional<std::string> ToColorSpace(const std::string &name, Image *image) {
+    const RGBColorSpace *space = RGBColorSpace::Named(name);
+    if (!space)
+        return fmt::format("unknown color space \"{}\"; there are {}", name,
+                           QuotedList(RGBColorSpace::Names()));
+    const int r = image->ChannelIndex("R"), g = image->ChannelIndex("G"),
+              b = image->ChannelIndex("B");
+    if (r < 0 || g < 0 || b < 0) return "--colorspace needs the channels R, G and B";
+    const auto matrix =
+        RGBFromRGB(space->Chromaticities(),
+                   image->metadata.chromaticities.value_or(RGBColorSpace::sRGB().Chromaticities()));
+    if (!matrix) return "the picture's chromaticities span no color space";
+    for (size_t i = 0; i < image->Data().size(); i += image->NChannels()) {
+        float *p = &image->Data()[i];
+        const std::array<float, 3> in{p[r], p[g], p[b]};
+        const int index[3] = {r, g, b};
+        for (int k = 0; k < 3; ++k)
+            p[index[k]] =
+                (*matrix)[k][0] * in[0] + (*matrix)[k][1] * in[1] + (*matrix)[k][2] * in[2];
+    }
+    image->metadata.chromaticities = space->Chromaticities();
+    if (SamePrimaries(space->Chromaticities(), kSRGBChromaticities))
+        image->metadata.chromaticities.reset();
+    return {};
+}
+
+}  // namespace
+
+Outcome Convert(Args args) {
+    Options o;
+    if (auto end = ParseOptions(args, &o)) return *end;
+    OrError<Image> input = ReadPart(o.file, o.channels, o.crop);
+    if (!input) return Failure(input.error);
+    Image image = std::move(*input.value);
+
+    ForEachValue(&image, [&](float v) { return std::min(v, o.clamp); });
+    if (!o.colorSpace.empty())
+        if (auto reason = ToColorSpace(o.colorSpace, &image)) return Failure(*reason);
+    if (o.bw) image = Gray(image);
+    if (o.despike < Infinity) image = Despike(image, o.despike);
+    const float factor = o.scale * std::exp2(o.exposure);
+    if (factor != 1) ForEachValue(&image, [&](float v) { return factor * v; });
+    if (o.gamma != 1)
+        ForEachValue(&image, [&](float v) { return std::pow(std::max(0.f, v), o.gamma); });
+    if (o.tonemap) Reinhard(&image, o.maxLuminance);
+    if (o.preserveColors) ScaleIntoGamut(&image);
+    if (o.acesFilmic) ForEachValue(&image, AcesFilmic);
+    if (o.repeat > 1) image = RepeatPixels(image, o.repeat);
+    if (o.flipY) image = FlipY(image);
+
+    const bool half =
+        o.fp16 || image.metadata.storedAs == "half" || image.metadata.storedAs == "8-bit";
+    return Write(image, o.outfile, half ? ExrPixels::Half : ExrPixels::Float);
+}
+
+}  // namespace pbrt::imgtool

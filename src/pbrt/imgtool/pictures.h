@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pbrt/image/image.h"
+
+// Operations on whole pictures that several commands share.
+
+namespace pbrt::imgtool {
+
+/// The named channels in this order. The error lists those that the picture has.
+OrError<Image> SelectChannels(const Image &image, const std::vector<std::string> &names);
+
+/// Pixels [x0, x1) x [y0, y1) of the stored ones; {x0, x1, y0, y1} as `--crop` gives them, a
+/// negative x1 or y1 being an extent. The bounds in the metadata follow.
+OrError<Image> Crop(const Image &image, const std::vector<int> &crop);
+
+/// Reads, selects (nothing where `channels` is empty) and crops (likewise). Errors name the file.
+OrError<Image> ReadPart(const std::string &fileName, const std::vector<std::string> &channels,
+                        const std::vector<int> &crop);
+
+/// Why two pictures cannot be compared pixel by pixel: sizes, channels or color spaces differ.
+std::optional<std::string> Mismatch(const Image &a, const Image &b);
+
+/// Files an argument means: itself where it exists, else all whose names begin with it, sorted.
+/// Empty where there are none.
+std::vector<std::string> FilesOf(const std::string &nameOrPrefix);
+/// The same for several arguments, or the reason why one means nothing.
+OrError<std::vector<std::string>> FilesOf(const std::vector<std::string> &namesOrPrefixes);
+
+}  // namespace pbrt::imgtool
