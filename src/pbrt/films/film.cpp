@@ -55,12 +55,13 @@ PixelBounds ReadBounds(ParamDict &params, const FilmOverrides &overrides, Point2
     return bounds;
 }
 
-/// Matching curves in the film's RGB, over the integral of y, per wavelength sample.
+/// Matching curves in the film's RGB over the number of wavelength samples. Not over the integral of
+/// y: lights are (PBRT_FORMAT 2.10), so that a light of 1 gives a pixel of 1.
 std::vector<std::array<float, 4>> Matching(const RGBColorSpace &space, float whiteBalance) {
     Matrix3 adapt{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     if (whiteBalance > 0) adapt = WhiteBalance(DaylightXY(whiteBalance), space.Chromaticities()[3]);
     std::vector<std::array<float, 4>> table(int(LambdaMax - LambdaMin) + 1);
-    const float scale = 1 / (CIE_Y_integral * NSpectrumSamples);
+    constexpr float scale = 1.f / NSpectrumSamples;
     for (size_t i = 0; i < table.size(); ++i) {
         const float lambda = LambdaMin + float(i);
         const std::array<float, 3> xyz =

@@ -72,8 +72,8 @@ class RGBFilm {
     const RGBColorSpace *colorSpace = &RGBColorSpace::sRGB();
     float iso = 100, imagingRatio = 1, maxComponentValue = Infinity;
     ExrPixels format = ExrPixels::Half;
-    /// Per whole nm from 360: the film's r, g, b matching curves (the fourth is padding), divided by
-    /// the integral of y and by the number of wavelengths.
+    /// Per whole nm from 360: the film's r, g, b matching curves (the fourth is padding) over the
+    /// number of wavelengths.
     std::vector<std::array<float, 4>> matching;
     std::vector<Pixel> pixels;
 };
