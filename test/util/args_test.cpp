@@ -8,8 +8,9 @@ namespace {
 using Words = std::vector<std::string>;
 
 NormalizedArgs Normalize(const Words &words) {
-    static const std::vector<ArgOption> options{
-        {"nthreads", true}, {"cropwindow", true}, {"quiet", false}, {"help", false}, {"spp", true}};
+    static const std::vector<ArgOption> options{{"nthreads", true}, {"cropwindow", true},
+                                                {"quiet", false},   {"help", false},
+                                                {"spp", true},      {"render-coord-sys", true}};
     return NormalizeArgs(words, options);
 }
 
@@ -19,6 +20,11 @@ TEST(Args, EverySpellingOfANameIsOne) {
         EXPECT_EQ(Normalize({spelled, "4"}).args, Words{"--nthreads=4"}) << spelled;
         EXPECT_EQ(Normalize({spelled + "=4"}).args, Words{"--nthreads=4"}) << spelled;
     }
+}
+
+TEST(Args, NamesComeOutAsTheProgramSpellsThem) {
+    for (const std::string spelled : {"--rendercoordsys", "-Render_Coord_Sys"})
+        EXPECT_EQ(Normalize({spelled, "world"}).args, Words{"--render-coord-sys=world"});
 }
 
 TEST(Args, ValuesAreLeftAlone) {

@@ -73,7 +73,7 @@ Outcome Average(Args args) {
         "imgtool average");
     app.add_option("files", names, "pictures, or the beginning of their names")->required();
     AddOutfile(&app, &outfile);
-    app.add_option("--varianceoutfile", varianceFile,
+    app.add_option("--variance-outfile", varianceFile,
                    "picture of the variance of each mean value, as diff --variance reads it");
     if (auto end = Parse(&app, args)) return *end;
     const OrError<std::vector<std::string>> files = FilesOf(names);

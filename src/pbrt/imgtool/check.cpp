@@ -39,7 +39,7 @@ Outcome Check(Args args) {
         "where it fails.",
         "imgtool check");
     app.add_option("picture", file)->required();
-    app.add_option("--huechange", least,
+    app.add_option("--hue-change", least,
                    "test too that the hues of the left and the right third differ by this many "
                    "degrees at least")
         ->check(CLI::Range(0, 180));

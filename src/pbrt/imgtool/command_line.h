@@ -12,8 +12,8 @@ namespace pbrt::imgtool {
 /// The user's mistake: "imgtool: reason" and exit code 1.
 Outcome Failure(std::string_view reason);
 
-/// Fills the variables bound to `app`'s options, which are named without dashes inside and in lower
-/// case. Something is returned where the command ends here: help, or a mistake.
+/// Fills the variables bound to `app`'s options, spelled as pbrt allows. Something is returned
+/// where the command ends here: help, or a mistake.
 std::optional<Outcome> Parse(CLI::App *app, Args args);
 
 /// `--crop x0,x1,y0,y1`, `--channels R,G,B`: shared by several commands.

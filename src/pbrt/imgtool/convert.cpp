@@ -24,8 +24,8 @@ struct Options {
 std::optional<Outcome> ParseOptions(Args args, Options *o) {
     CLI::App app(
         "Changes pictures. What is asked for is done in this order: channels, crop, clamp, "
-        "colorspace, bw, despike, scale and exposure, gamma, tonemap, preservecolors, "
-        "acesfilmic, repeatpix, flipy. Channel A keeps its values.",
+        "colorspace, bw, despike, scale and exposure, gamma, tonemap, preserve-colors, "
+        "aces-filmic, repeat-pix, flipy. Channel A keeps its values.",
         "imgtool convert");
     app.add_option("picture", o->file, "picture to read (EXR, PNG, JPEG, PFM, HDR)")->required();
     AddOutfile(&app, &o->outfile);
@@ -40,12 +40,12 @@ std::optional<Outcome> ParseOptions(Args args, Options *o) {
     app.add_option("--exposure", o->exposure, "factor 2^x: x stops (default 0)");
     app.add_option("--gamma", o->gamma, "exponent (default 1)")->check(CLI::PositiveNumber);
     app.add_flag("--tonemap", o->tonemap, "Reinhard's operator on the mean of the channels");
-    app.add_option("--maxluminance", o->maxLuminance, "mean that --tonemap takes to 1 (default 1)")
+    app.add_option("--max-luminance", o->maxLuminance, "mean that --tonemap takes to 1 (default 1)")
         ->check(CLI::PositiveNumber);
-    app.add_flag("--preservecolors", o->preserveColors,
+    app.add_flag("--preserve-colors", o->preserveColors,
                  "scale pixels with values above 1 down instead of clipping each value");
-    app.add_flag("--acesfilmic", o->acesFilmic, "filmic curve to [0, 1]");
-    app.add_option("--repeatpix", o->repeat, "repeat pixels n times in both directions")
+    app.add_flag("--aces-filmic", o->acesFilmic, "filmic curve to [0, 1]");
+    app.add_option("--repeat-pix", o->repeat, "repeat pixels n times in both directions")
         ->check(CLI::Range(1, 1024));
     app.add_flag("--flipy", o->flipY, "upside down");
     app.add_flag("--fp16", o->fp16, "half floats in EXR (default: as the input)");

@@ -30,7 +30,7 @@ std::optional<Outcome> ParseOptions(Args args, Options *o) {
     app.add_option("--difftol", o->tolerance, "largest error that passes (default 0)");
     app.add_option("--outfile", o->outfile, "picture of the error of each value");
     app.add_option("--variance", o->variance, "picture of the variance of each reference value");
-    app.add_option("--varianceratio", o->varianceRatio,
+    app.add_option("--variance-ratio", o->varianceRatio,
                    "variance of the picture in units of the reference's (default: by the samples "
                    "per pixel in the files, else 1)")
         ->check(CLI::NonNegativeNumber);

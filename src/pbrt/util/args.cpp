@@ -51,8 +51,9 @@ NormalizedArgs NormalizeArgs(std::span<const std::string> args,
         const size_t equals = word.find('=');
         const std::string spelled = word.substr(0, equals);
         const std::string name = CanonicalName(spelled);
-        const auto option = std::find_if(options.begin(), options.end(),
-                                         [&](const ArgOption &o) { return o.name == name; });
+        const auto option = std::find_if(options.begin(), options.end(), [&](const ArgOption &o) {
+            return CanonicalName(o.name) == name;
+        });
         if (option == options.end()) {
             normalized.error = UnknownOption(spelled, name, options);
             return normalized;
@@ -66,7 +67,7 @@ NormalizedArgs NormalizeArgs(std::span<const std::string> args,
             normalized.error = fmt::format("option {} needs a value", spelled);
             return normalized;
         }
-        normalized.args.push_back("--" + name + (value.empty() ? "" : "=" + value));
+        normalized.args.push_back("--" + option->name + (value.empty() ? "" : "=" + value));
     }
     return normalized;
 }

@@ -7,13 +7,14 @@
 
 namespace pbrt {
 
-/// One option of a program, named without dashes and in lower case ("cropwindow").
+/// One option of a program, named without the leading dashes ("crop-window").
 struct ArgOption {
     std::string name;
     bool takesValue;
 };
 
-/// Command line in one spelling: options as `--name` or `--name=value`, the rest as it was.
+/// Command line in one spelling: options as `--name` or `--name=value` with the name as the program
+/// spells it, the rest as it was.
 struct NormalizedArgs {
     std::vector<std::string> args;
     std::string error;  ///< empty: none; else a sentence for the user
