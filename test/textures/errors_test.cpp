@@ -43,7 +43,7 @@ TEST(TextureErrors, ParametersAreChecked) {
     EXPECT_EQ(MessagesOf(R"(Texture "a" "float" "checkerboard" "integer dimension" 4)"),
               "t.pbrt:2:56: \"integer dimension\": 4 is outside [2, 3]\n");
     EXPECT_EQ(MessagesOf(R"(Texture "a" "spectrum" "scale" "float scale" -2)"),
-              "t.pbrt:2:47: \"float scale\": -2 is less than 0\n");
+              "t.pbrt:2:46: \"float scale\": -2 is less than 0\n");
     EXPECT_EQ(
         MessagesOf(R"(Texture "a" "float" "imagemap")"),
         "t.pbrt:2:1: texture \"imagemap\" needs \"string filename\", a picture's file name\n");
