@@ -1,0 +1,49 @@
+#pragma once
+
+#include "pbrt/spectra/sampled_spectrum.h"
+#include "pbrt/util/vecmath.h"
+
+namespace pbrt {
+
+/// wo mirrored about the unit vector n.
+inline Vector3f Reflect(Vector3f wo, Vector3f n) {
+    return 2 * Dot(wo, n) * n - wo;
+}
+
+/// Cosine of the refracted ray with its normal; cosTheta_i in [0, 1], eta = index of the far side
+/// over that of the near side. 0 at and beyond total reflection.
+inline float CosTransmitted(float cosTheta_i, float eta) {
+    return SafeSqrt(1 - (1 - Sqr(cosTheta_i)) / Sqr(eta));
+}
+
+/// Reflectance of unpolarised light at a boundary between two dielectrics; arguments as above,
+/// cosTheta_t = CosTransmitted(cosTheta_i, eta). Born and Wolf, sec. 1.5.2.
+inline float FrDielectric(float cosTheta_i, float cosTheta_t, float eta) {
+    const float parallel = (eta * cosTheta_i - cosTheta_t) / (eta * cosTheta_i + cosTheta_t);
+    const float perpendicular = (cosTheta_i - eta * cosTheta_t) / (cosTheta_i + eta * cosTheta_t);
+    const float R = (Sqr(parallel) + Sqr(perpendicular)) / 2;
+    return cosTheta_t > 0 ? R : 1;
+}
+inline float FrDielectric(float cosTheta_i, float eta) {
+    return FrDielectric(cosTheta_i, CosTransmitted(cosTheta_i, eta), eta);
+}
+
+/// Reflectance of unpolarised light at a metal of complex index eta + i k, relative to the near
+/// side; cosTheta_i in [0, 1]. Born and Wolf, sec. 14.2, in real numbers: with
+/// (a + i b)^2 = (eta + i k)^2 - sin^2, R_s = |cos - a - i b|^2 / |cos + a + i b|^2 and
+/// R_p = R_s |a + i b - sin tan|^2 / |a + i b + sin tan|^2.
+inline SampledSpectrum FrConductor(float cosTheta_i, SampledSpectrum eta, SampledSpectrum k) {
+    const float cos2 = Sqr(cosTheta_i), sin2 = 1 - cos2;
+    const SampledSpectrum two_ab = 2 * eta * k;
+    const SampledSpectrum difference = eta * eta - k * k - SampledSpectrum(sin2);  // a^2 - b^2
+    const SampledSpectrum sum = Sqrt(difference * difference + two_ab * two_ab);   // a^2 + b^2
+    const SampledSpectrum a = Sqrt(ClampZero(0.5f * (sum + difference)));
+    const SampledSpectrum even_s = sum + SampledSpectrum(cos2), odd_s = (2 * cosTheta_i) * a;
+    const SampledSpectrum even_p = cos2 * sum + SampledSpectrum(Sqr(sin2)), odd_p = sin2 * odd_s;
+    const SampledSpectrum minus_s = even_s - odd_s, plus_s = even_s + odd_s;
+    // (R_s + R_p) / 2 over a common denominator, which is 0 only where nothing reflects: eta = 1
+    // and k = 0 at grazing.
+    return minus_s * even_p / (plus_s * (even_p + odd_p) + SampledSpectrum(1e-30f));
+}
+
+}  // namespace pbrt
