@@ -146,9 +146,11 @@ inline void ZSobolSampler::FillNumbers(int first) {
         case Randomization::PermuteDigits:
             return FillNumbers(b, [](uint32_t v, uint32_t key) { return v ^ key; });
         case Randomization::Owen:
-            return FillNumbers(b, OwenReversed);
+            return FillNumbers(b, [](uint32_t v, uint32_t key) { return OwenReversed(v, key); });
         case Randomization::FastOwen:
-            return FillNumbers(b, FastOwenReversed);
+            // A lambda, not the function's address: only so is it inlined and vectorised.
+            return FillNumbers(b,
+                               [](uint32_t v, uint32_t key) { return FastOwenReversed(v, key); });
     }
 }
 
