@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "pbrt/bsdftool/commands.h"
+#include "pbrt/feather/pigment.h"
 
 namespace pbrt::bsdftool {
 namespace {
@@ -63,8 +64,7 @@ std::optional<Evaluation> EvaluateOracle(const Material &material, const Directi
                                          const std::vector<float> &lambda) {
     const auto *feather = std::get_if<FeatherBarbuleMaterial>(&material);
     if (!feather) return {};
-    using Oracle =
-        feather::Barbule<double, NSpectrumSamples, FeatherBarbuleMaterial::ConvergedQuadrature>;
+    using Oracle = feather::Barbule<double, NSpectrumSamples, feather::Converged<16, 8>>;
     const feather::Direction<double> wo{pair.wo[0], pair.wo[1], pair.wo[2]},
         wi{pair.wi[0], pair.wi[1], pair.wi[2]};
     Evaluation e;

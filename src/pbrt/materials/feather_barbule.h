@@ -32,7 +32,6 @@ class FeatherBarbuleMaterial {
     template <typename Model>
     Model Oracle(const TextureEvalContext &ctx,
                  const std::array<float, NSpectrumSamples> &nanometres) const;
-    using ConvergedQuadrature = feather::Converged<16, 8>;
     /// A sentence where texture values had to be clamped; else empty.
     std::string Remarks() const;
 
