@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "pbrt/feather/dispersion.h"
 #include "pbrt/spectra/spectrum.h"
@@ -69,62 +71,66 @@ Spectrum StandardDaylight(double nominalKelvin) {
     return Spectrum::Daylight(nominalKelvin * (1.4388 / 1.4380));
 }
 
+using Entries = std::vector<std::pair<std::string, Spectrum>>;
+
+void AddMetals(Entries &all) {
+    const auto add = [&](const std::string &name, const auto &lambda, const auto &eta,
+                         const auto &k) {
+        all.emplace_back("metal-" + name + "-eta", Densely(lambda, eta));
+        all.emplace_back("metal-" + name + "-k", Densely(lambda, k));
+    };
+    add("Ag", t::metalAgLambda, t::metalAgEta, t::metalAgK);
+    add("Al", t::metalAlLambda, t::metalAlEta, t::metalAlK);
+    add("Au", t::metalAuLambda, t::metalAuEta, t::metalAuK);
+    add("Cu", t::metalCuLambda, t::metalCuEta, t::metalCuK);
+    add("CuZn", t::metalCuZnLambda, t::metalCuZnEta, t::metalCuZnK);
+    add("TiO2", t::metalTiO2Lambda, t::metalTiO2Eta, t::metalTiO2K);
+    all.emplace_back("metal-MgO-eta", Spectrum::DenselySampled(MagnesiaIndex));
+    all.emplace_back("metal-MgO-k", Spectrum(0.f));
+}
+
+void AddGlasses(Entries &all) {
+    const std::pair<const char *, const Sellmeier &> glasses[] = {
+        {"BK7", bk7}, {"BAF10", baf10}, {"FK51A", fk51a}, {"LASF9", lasf9},
+        {"F5", sf5},  {"F10", sf10},    {"F11", sf11}};
+    for (const auto &[name, index] : glasses)
+        all.emplace_back(std::string("glass-") + name, Spectrum::DenselySampled(index));
+}
+
+void AddIlluminants(Entries &all) {
+    all.emplace_back("stdillum-A", Spectrum::DenselySampled(IlluminantA));
+    all.emplace_back("stdillum-D50", StandardDaylight(5000));
+    all.emplace_back("stdillum-D65", StandardDaylight(6500));
+    for (int i = 1; i <= 12; ++i)
+        all.emplace_back("stdillum-F" + std::to_string(i), Fluorescent(i));
+    // The spectrum whose chromaticity, x 0.32168, y 0.33767, is the white of ACES.
+    all.emplace_back("illum-acesD60", Spectrum::Daylight(6000));
+}
+
+void AddFeather(Entries &all) {
+    using feather::Nm;
+    all.emplace_back("keratin", Spectrum::DenselySampled([](float lambda) {
+                         return feather::KeratinIndex(Nm<double>{lambda});
+                     }));
+    all.emplace_back("melanin", Spectrum::DenselySampled([](float lambda) {
+                         return feather::MelaninReflectance(Nm<double>{lambda});
+                     }));
+}
+
+/// Entries sorted by name.
 struct Library {
-    std::vector<std::string> owned;
+    Entries entries;
     std::vector<std::string_view> names;
-    std::vector<Spectrum> values;
 
     Library() {
-        std::vector<std::pair<std::string, Spectrum>> all;
-        const auto add = [&](std::string name, Spectrum s) {
-            all.emplace_back(std::move(name), std::move(s));
-        };
-        const auto metal = [&](const std::string &name, const auto &lambda, const auto &eta,
-                               const auto &k) {
-            add("metal-" + name + "-eta", Densely(lambda, eta));
-            add("metal-" + name + "-k", Densely(lambda, k));
-        };
-        metal("Ag", t::metalAgLambda, t::metalAgEta, t::metalAgK);
-        metal("Al", t::metalAlLambda, t::metalAlEta, t::metalAlK);
-        metal("Au", t::metalAuLambda, t::metalAuEta, t::metalAuK);
-        metal("Cu", t::metalCuLambda, t::metalCuEta, t::metalCuK);
-        metal("CuZn", t::metalCuZnLambda, t::metalCuZnEta, t::metalCuZnK);
-        metal("TiO2", t::metalTiO2Lambda, t::metalTiO2Eta, t::metalTiO2K);
-        add("metal-MgO-eta", Spectrum::DenselySampled(MagnesiaIndex));
-        add("metal-MgO-k", Spectrum(0.f));
-
-        const auto glass = [&](const std::string &name, const Sellmeier &n) {
-            add("glass-" + name, Spectrum::DenselySampled(n));
-        };
-        glass("BK7", bk7);
-        glass("BAF10", baf10);
-        glass("FK51A", fk51a);
-        glass("LASF9", lasf9);
-        glass("F5", sf5);
-        glass("F10", sf10);
-        glass("F11", sf11);
-
-        add("stdillum-A", Spectrum::DenselySampled(IlluminantA));
-        add("stdillum-D50", StandardDaylight(5000));
-        add("stdillum-D65", StandardDaylight(6500));
-        for (int i = 1; i <= 12; ++i)
-            add("stdillum-F" + std::to_string(i), Fluorescent(i));
-        // The spectrum whose chromaticity, x 0.32168, y 0.33767, is the white of ACES.
-        add("illum-acesD60", Spectrum::Daylight(6000));
-
-        add("keratin", Spectrum::DenselySampled(
-                           [](float l) { return feather::KeratinIndex(feather::Nm<double>{l}); }));
-        add("melanin", Spectrum::DenselySampled([](float l) {
-                return feather::MelaninReflectance(feather::Nm<double>{l});
-            }));
-
-        std::sort(all.begin(), all.end(),
+        AddMetals(entries);
+        AddGlasses(entries);
+        AddIlluminants(entries);
+        AddFeather(entries);
+        std::sort(entries.begin(), entries.end(),
                   [](const auto &a, const auto &b) { return a.first < b.first; });
-        for (auto &[name, spectrum] : all) {
-            owned.push_back(std::move(name));
-            values.push_back(std::move(spectrum));
-        }
-        names.assign(owned.begin(), owned.end());
+        for (const auto &[name, spectrum] : entries)
+            names.push_back(name);
     }
 };
 
@@ -139,7 +145,7 @@ const Spectrum *GetNamedSpectrum(std::string_view name) {
     const Library &l = NamedSpectra();
     const auto found = std::lower_bound(l.names.begin(), l.names.end(), name);
     if (found == l.names.end() || *found != name) return nullptr;
-    return &l.values[size_t(found - l.names.begin())];
+    return &l.entries[size_t(found - l.names.begin())].second;
 }
 
 std::span<const std::string_view> NamedSpectrumNames() {

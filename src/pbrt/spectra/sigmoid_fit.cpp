@@ -108,7 +108,7 @@ SigmoidFit::Trial SigmoidFit::Try(const SigmoidParameters &p, const Triple &rgb)
             sums[c][3] += w * slope;
         }
     }
-    const auto total = [](Lanes s) { return (s[0] + s[1]) + (s[2] + s[3]); };
+    const auto total = [](const Lanes &s) { return (s[0] + s[1]) + (s[2] + s[3]); };
     Trial trial{p, {}, {}, 0};
     for (int c = 0; c < 3; ++c) {
         trial.residual[c] = total(sums[c][0]) - rgb[c];
