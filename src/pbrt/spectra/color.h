@@ -43,7 +43,7 @@ class RGBColorSpace {
 
     /// Sigmoid whose colour under the illuminant is `rgb`, components clamped to [0, 1]; the
     /// constant for greys. Fitted by Newton's method in 5 to 25 us: once per scene constant, not
-    /// per look-up. Components differ by 1e-5 at most wherever a reflectance of that colour
+    /// per look-up. Components differ by 2e-5 at most wherever a reflectance of that colour
     /// exists (all of sRGB); else, for bright saturated colours of the wider spaces, the nearest
     /// in RGB is sought.
     RGBSigmoid FitSigmoid(const RGB &rgb) const;
