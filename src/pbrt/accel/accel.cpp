@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <deque>
+#include <limits>
 
 #include "pbrt/accel/user_geometry.h"
 
@@ -156,9 +157,12 @@ RTCGeometry Accel::Impl::NewGeometry(const GeometryRecord &record) {
 }
 
 /// Medium build quality: high splits triangles in space and would call filters twice for one.
+/// Robust, for a tenth to a quarter of the time: without it a closed mesh of a million triangles
+/// lets 1e-6 of all rays out, and 1e-4 where it is 1000 times its size from the origin.
 RTCScene Accel::Impl::NewScene(uint32_t first, uint32_t last, uint32_t quadricsId) {
     RTCScene s = rtcNewScene(device);
     rtcSetSceneBuildQuality(s, RTC_BUILD_QUALITY_MEDIUM);
+    rtcSetSceneFlags(s, RTC_SCENE_FLAG_ROBUST);
     QuadricSet set;
     for (uint32_t i = first; i < last; ++i) {
         GeometryRecord &record = records[i];
@@ -208,7 +212,8 @@ namespace {
 
 void SetRay(const Ray &ray, RTCRay *r) {
     r->org_x = ray.o.x, r->org_y = ray.o.y, r->org_z = ray.o.z;
-    r->tnear = 0;
+    // Not 0: Embree counts a hit at tnear, and a ray may start exactly in a triangle's plane.
+    r->tnear = std::numeric_limits<float>::min();
     r->dir_x = ray.d.x, r->dir_y = ray.d.y, r->dir_z = ray.d.z;
     r->time = ray.time;
     r->tfar = ray.tMax;

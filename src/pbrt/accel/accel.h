@@ -16,6 +16,7 @@ struct Geometry {
     Shape shape;
     int material = 0;          ///< index into World::materials
     int firstLight = -1;       ///< light of primitive 0; -1: not emissive
+    bool oneLight = false;     ///< all primitives are parts of that one light
     bool passesLight = false;  ///< surface with gaps: shadow rays ask for its transmittance
     FloatTexture alpha = 1.f;  ///< constant 1: no test
 };

@@ -90,7 +90,8 @@ std::optional<std::string> PlaceCommon(const Transform &t, bool reverse, Mesh *m
     }
     for (size_t i = 0; i < mesh->n.size(); ++i) {
         if (!IsFinite(mesh->n[i])) return fmt::format("normal {} is not finite", i);
-        const Normal3f n = UnitOr(t.Normal(UnitOr(mesh->n[i], {})), {});
+        // Not normalised: so instances, transformed after interpolation, look like copies.
+        const Normal3f n = t.Normal(mesh->n[i]);
         mesh->n[i] = reverse ? -n : n;
     }
     for (size_t i = 0; i < mesh->uv.size(); ++i)

@@ -49,16 +49,16 @@ inline Vector3f UnitOr(Vector3f v, Vector3f other) {
     return l2 > 1e-30f && l2 < 1e30f ? v * (1 / std::sqrt(l2)) : other;
 }
 
-/// How far from a triangle's plane a ray's origin must be, per axis, for Embree's test in float
-/// (fast mode: t = (p0 - o).Ng / d.Ng, Ng from rounded edges) to get its side right. With the edges
-/// e1, e2 at corner p0, the true |Ng| and a point p of the plane: each of the products that make up
-/// (p0 - o).Ng carries at most 8 roundings.
+/// How far from a triangle's plane a ray's origin must be, per axis, for Embree's test in float to
+/// get its side right: t has the sign of (p0 - o).Ng, Ng being the cross product of differences of
+/// the corners relative to o. For o within the triangle, |corner - o| <= its extent E in each axis;
+/// an edge then carries 3 roundings of E, a product of two 7, the difference 8, the product with
+/// p0 - o 10 and the sum 12. e1, e2: edges at p0; p: a point of the plane.
 inline Vector3f PlaneTestError(Point3f p, Point3f p0, Vector3f e1, Vector3f e2, Normal3f n,
                                float lengthNg) {
-    const Vector3f c = Abs(p0 - p), a = Abs(e1), b = Abs(e2);
-    const float products = c.x * (a.y * b.z + a.z * b.y) + c.y * (a.z * b.x + a.x * b.z) +
-                           c.z * (a.x * b.y + a.y * b.x);
-    return lengthNg > 0 ? Abs(n) * (Gamma(8) * products / lengthNg) : Vector3f{};
+    const Vector3f c = Abs(p0 - p), e = Max(Max(Abs(e1), Abs(e2)), Abs(e2 - e1));
+    const float products = c.x * e.y * e.z + c.y * e.z * e.x + c.z * e.x * e.y;
+    return lengthNg > 0 ? Abs(n) * (2 * Gamma(12) * products / lengthNg) : Vector3f{};
 }
 
 }  // namespace pbrt

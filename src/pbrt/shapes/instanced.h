@@ -1,0 +1,26 @@
+#pragma once
+
+#include "pbrt/shapes/rounding.h"
+#include "pbrt/shapes/surface_point.h"
+
+namespace pbrt {
+
+/// A surface point of an instance's object, in rendering space. pError grows by the transform's
+/// rounding and by that of the way back, which a spawned ray's origin takes through Embree before
+/// it is tested against the object.
+inline SurfacePoint FromInstance(const Transform &renderFromObject, const SurfacePoint &s) {
+    const Matrix4 &m = renderFromObject.Matrix();
+    SurfacePoint r = s;
+    r.p = renderFromObject.Point(s.p);
+    const Vector3f back = Gamma(5) * AbsPoint(renderFromObject.InverseMatrix(), r.p);
+    r.pError = Gamma(5) * AbsPoint(m, s.p) + AbsVector(m, s.pError + back);
+    // As in meshes made in place, shading normals decide the side.
+    r.ns = Normalize(renderFromObject.Normal(s.ns));
+    r.n = FaceForward(Normalize(renderFromObject.Normal(s.n)), r.ns);
+    r.dpdu = renderFromObject.Vector(s.dpdu);
+    r.dpdv = renderFromObject.Vector(s.dpdv);
+    r.dpdus = renderFromObject.Vector(s.dpdus);
+    return r;
+}
+
+}  // namespace pbrt
