@@ -66,6 +66,14 @@ void ReadSampling(const Description &scene, const Overrides &overrides, World &w
         world.sampler = *sampler;
 }
 
+/// Two triangles that make a parallelogram, as one patch: one light is chosen and sampled better
+/// than two. Not where `power` is given, which is each triangle's (PBRT_FORMAT 2.10).
+std::optional<Shape> MergedEmitter(const Geometry &geometry, ParamDict &params) {
+    const auto *mesh = std::get_if<TriangleMesh>(&geometry.shape);
+    if (!mesh || params.Has("power") || !geometry.alpha.IsConstant()) return {};
+    return AsParallelogram(*mesh);
+}
+
 void BuildLights(const Description &scene, const std::string &lightSampler,
                  const std::vector<EmissiveShape> &emitters, World &world, Diagnostics &log) {
     const Transform &renderFromWorld = world.camera.RenderFromWorld();
@@ -79,7 +87,12 @@ void BuildLights(const Description &scene, const std::string &lightSampler,
         Geometry &geometry = world.geometries[emitter.geometry];
         ParamDict params =
             Params(*emitter.areaLight, "area light", emitter.areaLight->type, scene, log);
-        std::vector<Light> made = CreateAreaLights(emitter.areaLight->type, params, geometry.shape, geometry.alpha);
+        const std::optional<Shape> merged = MergedEmitter(geometry, params);
+        if (merged) world.emitterShapes.push_back(*merged);
+        geometry.oneLight = merged.has_value();
+        std::vector<Light> made =
+            CreateAreaLights(emitter.areaLight->type, params,
+                             merged ? world.emitterShapes.back() : geometry.shape, geometry.alpha);
         if (made.empty()) continue;
         // Alpha 0 everywhere: a light that is sampled but never seen.
         geometry.firstLight = int(world.lights.size());

@@ -83,14 +83,14 @@ class PathTracer {
     }
 
     void AddEmission(const Geometry &geometry, const Hit &hit, const SurfacePoint &sp) {
-        const int index = geometry.firstLight + int(hit.primitive);
+        const int index = World::LightOf(geometry, hit);
         const SampledSpectrum Le =
             pbrt::L(world.lights[index], sp.p, sp.n, sp.uv, -ray.d, *lambda);
         if (!Le) return;
         float lightPDF = 0;
         if (bsdfPDF != 0)
             lightPDF = world.lightSampler.PMF(previous, index) *
-                       PDFFrom(geometry.shape, hit.primitive, previous.p, ray.d, sp.p, sp.n);
+                       PDF_Hit(world.lights[index], previous, ray.d, sp.p, sp.n);
         L += beta * Le * WeightOfFound(lightPDF);
     }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <vector>
 
@@ -32,6 +33,7 @@ struct World {
     std::vector<Instance> instances;
     std::vector<Material> materials;
     std::vector<Light> lights;
+    std::deque<Shape> emitterShapes;  ///< of lights whose form is not a geometry's
     std::vector<int> infiniteLights;  ///< indices into lights
     LightSampler lightSampler;
     std::optional<Accel> accel;
@@ -45,6 +47,10 @@ struct World {
     bool filtersTextures = false;  ///< some texture reads the steps per pixel
     bool moves = false;            ///< time matters
 
+    /// Index of the light that a hit on an emissive geometry belongs to.
+    static int LightOf(const Geometry &geometry, const Hit &hit) {
+        return geometry.firstLight + (geometry.oneLight ? 0 : int(hit.primitive));
+    }
     /// The hit's surface in rendering space.
     SurfacePoint Interact(const Hit &hit, const Ray &ray) const;
     /// Point and frames only; see pbrt::InteractLightly.

@@ -44,11 +44,18 @@ inline std::optional<LightLiSample> SampleLi(const Light &light, const LightSamp
     return std::visit([&](const auto &l) { return l.SampleLi(ctx, u, lambda); }, light);
 }
 
-/// Density of SampleLi for wi, per unit solid angle; 0 but for infinite lights. (For area lights
-/// the hit knows more: PDFFrom in shape.h.)
+/// Density of SampleLi for wi, per unit solid angle; 0 but for infinite lights (see PDF_Hit).
 inline float PDF_Li(const Light &light, const LightSampleContext &, Vector3f wi) {
     const auto *image = std::get_if<ImageInfiniteLight>(&light);
     return image ? image->PDF_Li(wi) : 0;
+}
+
+/// Density of SampleLi for the direction wi from ctx.p, which meets the area light at p, where its
+/// normal is n.
+inline float PDF_Hit(const Light &light, const LightSampleContext &ctx, Vector3f wi, Point3f p,
+                     Normal3f n) {
+    const auto *area = std::get_if<DiffuseAreaLight>(&light);
+    return area ? PDFFrom(*area->surface->shape, area->primitive, ctx.p, wi, p, n) : 0;
 }
 
 /// Radiance along a ray that leaves the scene.
