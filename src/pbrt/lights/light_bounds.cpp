@@ -52,17 +52,18 @@ LightBounds Union(const LightBounds &a, const LightBounds &b) {
     return u;
 }
 
-LightCluster::LightCluster(const LightBounds &b)
-    : center(b.bounds.Center()),
-      // A little more than the sphere round the box, so that rounding leaves nothing outside.
-      radius2(LengthSquared(b.bounds.max - b.bounds.Center()) * 1.0001f),
-      axis(b.normals.axis),
-      cosTheta_o(std::cos(std::min(Pi, SafeACos(b.normals.cosTheta) + kMarginAngle))),
-      cosTheta_e(b.cosTheta_e),
-      signedPower(b.twoSided ? -b.power : b.power) {}
+ClusterOf<float> Cluster(const LightBounds &b) {
+    const Point3f center = b.bounds.Center();
+    const Vector3f axis = b.normals.axis;
+    // A little more than the sphere round the box, so that rounding leaves nothing outside.
+    const float radius2 = LengthSquared(b.bounds.max - center) * 1.0001f;
+    const float theta_o = std::min(Pi, SafeACos(b.normals.cosTheta) + kMarginAngle);
+    return {center.x, center.y, center.z,          radius2,      axis.x,
+            axis.y,   axis.z,   std::cos(theta_o), b.cosTheta_e, b.twoSided ? -b.power : b.power};
+}
 
 float LightBounds::Importance(Point3f p, Normal3f n) const {
-    return pbrt::Importance(LightCluster(*this), p, n);
+    return pbrt::Importance(Cluster(*this), p, n);
 }
 
 }  // namespace pbrt

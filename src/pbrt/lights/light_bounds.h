@@ -29,55 +29,69 @@ struct LightBounds {
 /// Bounds of both; empty ones (power 0) take no part.
 LightBounds Union(const LightBounds &a, const LightBounds &b);
 
-/// What Importance reads, in the form that light trees keep.
-struct LightCluster {
-    Point3f center;
-    float radius2 = 0;
-    Vector3f axis;
-    float cosTheta_o = -1, cosTheta_e = 0;
-    float signedPower = 0;  ///< negative: two-sided
-
-    LightCluster() = default;
-    explicit LightCluster(const LightBounds &b);
+/// What importance is made of, in the form that light trees keep. F is float, or four floats for
+/// four clusters at a time.
+template <typename F>
+struct ClusterOf {
+    F centerX, centerY, centerZ, radius2;
+    F axisX, axisY, axisZ;
+    F cosTheta_o, cosTheta_e;
+    F signedPower;  ///< negative: two-sided
 };
+ClusterOf<float> Cluster(const LightBounds &bounds);
 
-/// Power times the largest cosine at the emitters over squared distance, times the largest cosine
-/// at the receiver. `n` as above, its use being `hasNormal`. Free of branches, so that loops over
-/// clusters vectorise.
-inline float Importance(Point3f center, float radius2, Vector3f axis, float cosTheta_o,
-                        float cosTheta_e, float signedPower, Point3f p, Normal3f n,
-                        bool hasNormal) {
-    const Vector3f d = center - p;
-    const float d2 = LengthSquared(d), invD = 1 / std::sqrt(std::max(d2, 1e-30f));
-    const float power = std::abs(signedPower);
-    // theta_b: half angle of the cluster's sphere from p.
-    const bool inside = d2 <= radius2;
-    const float sin2_b = inside ? 0 : radius2 * invD * invD;
-    const float sin_b = std::sqrt(sin2_b);
-    const float cos_b = inside ? -1 : std::sqrt(std::max(0.f, 1 - sin2_b));
-    // theta_w, from the axis to p, less theta_o and theta_b.
-    const float cosAxis = -Dot(axis, d) * invD;
-    const float cos_w = std::min(1.f, signedPower < 0 ? std::abs(cosAxis) : cosAxis);
-    const float sin_w = std::sqrt(std::max(0.f, 1 - cos_w * cos_w));
-    const float sin_o = std::sqrt(std::max(0.f, 1 - cosTheta_o * cosTheta_o));
-    const bool inCone = cos_w >= cosTheta_o;
-    const float cos_x = inCone ? 1 : cos_w * cosTheta_o + sin_w * sin_o;
-    const float sin_x = inCone ? 0 : sin_w * cosTheta_o - cos_w * sin_o;
-    const float cosEmitter = cos_x >= cos_b ? 1 : cos_x * cos_b + sin_x * sin_b;
-    // theta_i, from the receiver's normal, less theta_b.
-    const float cos_i = std::min(1.f, std::abs(Dot(n, d)) * invD);
-    const float sin_i = std::sqrt(std::max(0.f, 1 - cos_i * cos_i));
-    const float cosNear = cos_i >= cos_b ? 1 : cos_i * cos_b + sin_i * sin_b;
-    const float cosReceiver = hasNormal ? std::max(cosNear, 1e-4f) : 1;
-    // Rounding must not turn a grazing emitter off: hence the floors of 1e-4.
-    const float lit =
-        power * std::max(cosEmitter, 1e-4f) * cosReceiver / std::max(std::max(d2, radius2), 1e-30f);
-    return cosEmitter > cosTheta_e - 1e-4f ? std::min(lit, 1e30f) : 0;
+using FourFloats = float __attribute__((vector_size(16)));
+
+// Written here since neither compiler vectorises the scalar form's branches.
+template <typename F>
+F Larger(F a, F b) {
+    return a > b ? a : b;
+}
+template <typename F>
+F Smaller(F a, F b) {
+    return a < b ? a : b;
+}
+inline float RootOf(float a) {
+    return std::sqrt(a);
+}
+inline FourFloats RootOf(FourFloats a) {
+    return FourFloats{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
 }
 
-inline float Importance(const LightCluster &c, Point3f p, Normal3f n) {
-    return Importance(c.center, c.radius2, c.axis, c.cosTheta_o, c.cosTheta_e, c.signedPower, p, n,
-                      n != Normal3f{});
+/// Power times the largest cosine at the emitters over squared distance, times the largest cosine
+/// at the receiver; n = 0: without that. 0 only where nothing can arrive; at most 1e30.
+template <typename F>
+F Importance(const ClusterOf<F> &c, Point3f p, Normal3f n) {
+    const F zero{}, one = zero + 1;
+    const F dx = c.centerX - p.x, dy = c.centerY - p.y, dz = c.centerZ - p.z;
+    const F d2 = dx * dx + dy * dy + dz * dz, invD = one / RootOf(Larger(d2, zero + 1e-30f));
+    // theta_b: half angle of the cluster's sphere from p.
+    const auto inside = d2 <= c.radius2;
+    const F sin2_b = inside ? zero : c.radius2 * invD * invD;
+    const F sin_b = RootOf(sin2_b);
+    const F cos_b = inside ? -one : RootOf(Larger(zero, one - sin2_b));
+    // theta_w, from the axis to p, less theta_o and theta_b.
+    const F cosAxis = -(c.axisX * dx + c.axisY * dy + c.axisZ * dz) * invD;
+    const F eitherWay = c.signedPower < 0 ? Larger(cosAxis, -cosAxis) : cosAxis;
+    const F cos_w = Smaller(one, eitherWay);
+    const F sin_w = RootOf(Larger(zero, one - cos_w * cos_w));
+    const F sin_o = RootOf(Larger(zero, one - c.cosTheta_o * c.cosTheta_o));
+    const auto inCone = cos_w >= c.cosTheta_o;
+    const F cos_x = inCone ? one : cos_w * c.cosTheta_o + sin_w * sin_o;
+    const F sin_x = inCone ? zero : sin_w * c.cosTheta_o - cos_w * sin_o;
+    const F cosEmitter = cos_x >= cos_b ? one : cos_x * cos_b + sin_x * sin_b;
+    // Rounding must not turn grazing light off: hence the floors of 1e-4, here and below.
+    F lit = Larger(c.signedPower, -c.signedPower) * Larger(cosEmitter, zero + 1e-4f) /
+            Larger(Larger(d2, c.radius2), zero + 1e-30f);
+    if (n != Normal3f{}) {
+        // theta_i, from the receiver's normal, less theta_b.
+        const F along = (n.x * dx + n.y * dy + n.z * dz) * invD;
+        const F cos_i = Smaller(one, Larger(along, -along));
+        const F sin_i = RootOf(Larger(zero, one - cos_i * cos_i));
+        const F cosReceiver = cos_i >= cos_b ? one : cos_i * cos_b + sin_i * sin_b;
+        lit *= Larger(cosReceiver, zero + 1e-4f);
+    }
+    return cosEmitter > c.cosTheta_e - 1e-4f ? Smaller(lit, zero + 1e30f) : zero;
 }
 
 }  // namespace pbrt

@@ -113,7 +113,7 @@ class LightTreeBuilder {
         const int n = Divide(items, level, parts);
         for (int i = 0; i < n; ++i) {
             const Items part = parts[size_t(i)];
-            const LightCluster cluster(BoundsOf(part));
+            const ClusterOf<float> cluster = Cluster(BoundsOf(part));
             const uint64_t childPath = path | uint64_t(i) << (2 * level);
             int32_t child = ~int32_t(part[0].light);
             if (part.size() == 1)
@@ -147,13 +147,19 @@ class LightTreeBuilder {
     LightTree &tree;
 };
 
-void LightTree::Node::Set(int i, const LightCluster &c, int32_t to) {
-    cx[i] = c.center.x, cy[i] = c.center.y, cz[i] = c.center.z;
-    radius2[i] = c.radius2;
-    ax[i] = c.axis.x, ay[i] = c.axis.y, az[i] = c.axis.z;
-    cosTheta_o[i] = c.cosTheta_o, cosTheta_e[i] = c.cosTheta_e;
-    signedPower[i] = c.signedPower;
+void LightTree::Node::Set(int i, const ClusterOf<float> &c, int32_t to) {
+    clusters.centerX[i] = c.centerX, clusters.centerY[i] = c.centerY;
+    clusters.centerZ[i] = c.centerZ, clusters.radius2[i] = c.radius2;
+    clusters.axisX[i] = c.axisX, clusters.axisY[i] = c.axisY, clusters.axisZ[i] = c.axisZ;
+    clusters.cosTheta_o[i] = c.cosTheta_o, clusters.cosTheta_e[i] = c.cosTheta_e;
+    clusters.signedPower[i] = c.signedPower;
     child[i] = to;
+}
+
+LightTree::Weights LightTree::ChildWeights(const Node &node, const LightSampleContext &ctx) {
+    const FourFloats w = Importance(node.clusters, ctx.p, ctx.ns);
+    const float two = w[0] + w[1], three = two + w[2];
+    return {{w[0], w[1], w[2], w[3]}, {0, w[0], two, three}, three + w[3]};
 }
 
 LightTree::LightTree(std::span<const LightBounds> lights) : paths(lights.size()) {

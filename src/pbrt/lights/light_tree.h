@@ -35,18 +35,19 @@ class LightTree {
 
   private:
     static constexpr int kWidth = 4, kMaxLevels = 32;
-    /// Children's clusters, one array per quantity, so that one pass evaluates all four.
+    /// Weights this small are 0: below, u times the sum could round up to the sum.
+    static constexpr float kLeast = 1e-30f;
     struct alignas(64) Node {
-        float cx[kWidth]{}, cy[kWidth]{}, cz[kWidth]{}, radius2[kWidth]{};
-        float ax[kWidth]{}, ay[kWidth]{}, az[kWidth]{};
-        float cosTheta_o[kWidth]{}, cosTheta_e[kWidth]{}, signedPower[kWidth]{};
+        ClusterOf<FourFloats> clusters{};
         int32_t child[kWidth]{};  ///< node, or ~light
-        void Set(int i, const LightCluster &c, int32_t to);
+        void Set(int i, const ClusterOf<float> &c, int32_t to);
     };
     struct Weights {
         float w[kWidth];
-        float Sum() const { return (w[0] + w[1]) + (w[2] + w[3]); }
+        float below[kWidth];  ///< sum of the weights of the children before
+        float sum;
     };
+    /// Not inline, so that Sample and PMF run the same instructions and agree to the last bit.
     static Weights ChildWeights(const Node &node, const LightSampleContext &ctx);
     friend class LightTreeBuilder;
 
@@ -54,32 +55,18 @@ class LightTree {
     std::vector<uint64_t> paths;  ///< per light: child numbers from the root, two bits each
 };
 
-inline LightTree::Weights LightTree::ChildWeights(const Node &node, const LightSampleContext &ctx) {
-    Weights weights;
-    const bool hasNormal = ctx.ns != Normal3f{};
-    for (int i = 0; i < kWidth; ++i)
-        weights.w[i] =
-            Importance({node.cx[i], node.cy[i], node.cz[i]}, node.radius2[i],
-                       {node.ax[i], node.ay[i], node.az[i]}, node.cosTheta_o[i], node.cosTheta_e[i],
-                       node.signedPower[i], ctx.p, ctx.ns, hasNormal);
-    return weights;
-}
-
 inline std::optional<SampledLight> LightTree::Sample(const LightSampleContext &ctx, float u) const {
     float pmf = 1;
     for (const Node *node = &nodes[0];;) {
         const Weights weights = ChildWeights(*node, ctx);
-        const float sum = weights.Sum();
-        if (!(sum > 0)) return std::nullopt;
-        float left = u * sum;
-        int i = 0, last = 0;
-        // The last child of positive weight takes what rounding leaves over.
-        for (int k = 0; k < kWidth; ++k)
-            if (weights.w[k] > 0) last = k;
-        while (i < last && left >= weights.w[i])
-            left -= weights.w[i++];
-        u = std::min(left / weights.w[i], OneMinusEpsilon);
-        pmf *= weights.w[i] / sum;
+        if (!(weights.sum > kLeast)) return std::nullopt;
+        // u < 1 keeps this below the sum, and so in a child of positive weight.
+        const float place = u * weights.sum;
+        int i = 0;
+        for (int k = 1; k < kWidth; ++k)
+            i += place >= weights.below[k];
+        u = std::min((place - weights.below[i]) / weights.w[i], OneMinusEpsilon);
+        pmf *= weights.w[i] / weights.sum;
         const int32_t child = node->child[i];
         if (child < 0) return SampledLight{~child, pmf};
         node = &nodes[size_t(child)];
@@ -93,8 +80,8 @@ inline float LightTree::PMF(const LightSampleContext &ctx, int light) const {
         const Node &node = nodes[size_t(at)];
         const Weights weights = ChildWeights(node, ctx);
         const int i = int(path & 3);
-        if (!(weights.w[i] > 0)) return 0;
-        pmf *= weights.w[i] / weights.Sum();
+        if (!(weights.sum > kLeast && weights.w[i] > 0)) return 0;
+        pmf *= weights.w[i] / weights.sum;
         at = node.child[i];
         if (at < 0) return pmf;
     }
