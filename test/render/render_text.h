@@ -13,7 +13,7 @@ namespace pbrt::test {
 struct RenderChanges {
     int nThreads = 0;
     int seed = 0;
-    std::optional<int> spp;
+    std::optional<int> spp = std::nullopt;
     LightStrategy strategy = LightStrategy::Both;
 };
 
