@@ -23,10 +23,11 @@ double Midpoints(const F &f, const Box &b, int n) {
 }  // namespace detail
 
 /// The integral of a function with jumps over a box: midpoint rules, halved in both directions
-/// until the estimate moves by less than `tolerance`, at most `depth` times.
+/// until the estimate moves by less than `tolerance`, at most `depth` times. Features narrower than
+/// a twentieth of the box may be missed.
 template <class F>
 double IntegrateAdaptively(const F &f, const Box &b, double tolerance, int depth = 12) {
-    const double coarse = detail::Midpoints(f, b, 3), fine = detail::Midpoints(f, b, 8);
+    const double coarse = detail::Midpoints(f, b, 5), fine = detail::Midpoints(f, b, 14);
     if (depth == 0 || std::abs(fine - coarse) <= tolerance) return fine;
     const double x = (b.x0 + b.x1) / 2, y = (b.y0 + b.y1) / 2;
     double sum = 0;

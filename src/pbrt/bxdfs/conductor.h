@@ -35,7 +35,7 @@ class ConductorBxDF {
     std::optional<BSDFSample> Sample_f(Vector3f wo, float, Point2f u, TransportMode) const {
         if (facets.IsSmooth()) {
             const float cosTheta = AbsCosTheta(wo);
-            if (cosTheta == 0) return {};
+            if (cosTheta < kMinDeltaCosine) return {};
             return BSDFSample{Fr(cosTheta) / cosTheta, {-wo.x, -wo.y, wo.z}, 1, Flags()};
         }
         const Vector3f m = facets.SampleVisibleNormal(wo, u), wi = Reflect(wo, m);

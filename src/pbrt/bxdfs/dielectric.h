@@ -48,6 +48,13 @@ class DielectricBxDF {
     static float HalfVectorJacobian(const Facet &facet, float etap) {
         return -facet.cos_i / Sqr(facet.cos_i + facet.cos_o / etap);
     }
+    /// Where light crosses the directions know the refracted angle better than Snell's law does
+    /// near the critical one.
+    static DielectricFresnel FresnelAt(const Facet &facet, float etap) {
+        const float cos_o = std::min(1.f, facet.cos_o);
+        return FrDielectric(cos_o, facet.crosses ? -facet.cos_i : CosTransmitted(cos_o, etap),
+                            etap);
+    }
     std::optional<Facet> FacetBetween(Vector3f wo, Vector3f wi, float etap) const;
     std::optional<BSDFSample> SampleSmooth(Vector3f wo, float uc, TransportMode mode) const;
 
@@ -77,10 +84,10 @@ inline SampledSpectrum DielectricBxDF::f(Vector3f wo, Vector3f wi, TransportMode
     const float etap = EtaFrom(wo);
     const auto facet = FacetBetween(wo, wi, etap);
     if (!facet) return SampledSpectrum(0);
-    const float R = FrDielectric(std::min(1.f, facet->cos_o), etap);
+    const auto [R, T] = FresnelAt(*facet, etap);
     const float DG = facets.D(facet->m) * facets.GOverCosines(wo, wi);
     if (!facet->crosses) return SampledSpectrum(0.25f * R * DG);
-    return SampledSpectrum((1 - R) * DG * facet->cos_o * HalfVectorJacobian(*facet, etap) *
+    return SampledSpectrum(T * DG * facet->cos_o * HalfVectorJacobian(*facet, etap) *
                            TransportScale(mode, etap));
 }
 
@@ -88,27 +95,27 @@ inline float DielectricBxDF::PDF(Vector3f wo, Vector3f wi, TransportMode) const 
     const float etap = EtaFrom(wo);
     const auto facet = FacetBetween(wo, wi, etap);
     if (!facet) return 0;
-    const float R = FrDielectric(std::min(1.f, facet->cos_o), etap);
+    const auto [R, T] = FresnelAt(*facet, etap);
     const float DG1 = facets.D(facet->m) * facets.G1OverCosine(wo);
     if (!facet->crosses) return 0.25f * R * DG1;
-    return (1 - R) * DG1 * facet->cos_o * HalfVectorJacobian(*facet, etap);
+    return T * DG1 * facet->cos_o * HalfVectorJacobian(*facet, etap);
 }
 
 inline std::optional<BSDFSample> DielectricBxDF::SampleSmooth(Vector3f wo, float uc,
                                                               TransportMode mode) const {
     const float etap = EtaFrom(wo), cos_o = AbsCosTheta(wo);
     const float cos_t = CosTransmitted(cos_o, etap);
-    const float R = eta == 1 ? 0 : FrDielectric(cos_o, cos_t, etap);
+    if (cos_o < kMinDeltaCosine) return {};
+    const auto [R, T] = eta == 1 ? DielectricFresnel{0, 1} : FrDielectric(cos_o, cos_t, etap);
     if (uc < R) {
-        if (cos_o == 0) return {};
         return BSDFSample{SampledSpectrum(R / cos_o),
                           {-wo.x, -wo.y, wo.z},
                           R,
                           BxDFFlags::Reflection | BxDFFlags::Specular};
     }
-    if (cos_t == 0) return {};
+    if (cos_t < kMinDeltaCosine || T == 0) return {};
     const Vector3f wi{-wo.x / etap, -wo.y / etap, std::copysign(cos_t, -wo.z)};
-    return BSDFSample{SampledSpectrum((1 - R) / cos_t * TransportScale(mode, etap)), wi, 1 - R,
+    return BSDFSample{SampledSpectrum(T / cos_t * TransportScale(mode, etap)), wi, T,
                       BxDFFlags::Transmission | BxDFFlags::Specular, etap};
 }
 
@@ -120,7 +127,8 @@ inline std::optional<BSDFSample> DielectricBxDF::Sample_f(Vector3f wo, float uc,
     const Vector3f m = facets.SampleVisibleNormal(wo, u);
     const float cos_o = std::min(1.f, Dot(wo, m));
     if (!(cos_o > 0)) return {};
-    const float cos_t = CosTransmitted(cos_o, etap), R = FrDielectric(cos_o, cos_t, etap);
+    const float cos_t = CosTransmitted(cos_o, etap);
+    const auto [R, T] = FrDielectric(cos_o, cos_t, etap);
     const float D = facets.D(m);
     if (uc < R) {
         const Vector3f wi = Reflect(wo, m);
@@ -131,8 +139,8 @@ inline std::optional<BSDFSample> DielectricBxDF::Sample_f(Vector3f wo, float uc,
                           BxDFFlags::Reflection | BxDFFlags::Glossy};
     }
     const Vector3f wi = (cos_o / etap - cos_t) * m - wo / etap;
-    if (!(wo.z * wi.z < 0) || cos_t == 0) return {};
-    const float share = (1 - R) * D * cos_o * HalfVectorJacobian({m, cos_o, -cos_t, true}, etap);
+    if (!(wo.z * wi.z < 0) || T == 0) return {};
+    const float share = T * D * cos_o * HalfVectorJacobian({m, cos_o, -cos_t, true}, etap);
     return BSDFSample{
         SampledSpectrum(share * facets.GOverCosines(wo, wi) * TransportScale(mode, etap)), wi,
         share * facets.G1OverCosine(wo), BxDFFlags::Transmission | BxDFFlags::Glossy, etap};

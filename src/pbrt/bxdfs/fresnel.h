@@ -5,6 +5,10 @@
 
 namespace pbrt {
 
+/// Mirrors and smooth boundaries scatter nothing where |cos| is below this: F / |cos| would
+/// overflow.
+inline constexpr float kMinDeltaCosine = 1e-30f;
+
 /// wo mirrored about the unit vector n.
 inline Vector3f Reflect(Vector3f wo, Vector3f n) {
     return 2 * Dot(wo, n) * n - wo;
@@ -16,16 +20,33 @@ inline float CosTransmitted(float cosTheta_i, float eta) {
     return SafeSqrt(1 - (1 - Sqr(cosTheta_i)) / Sqr(eta));
 }
 
-/// Reflectance of unpolarised light at a boundary between two dielectrics; arguments as above,
-/// cosTheta_t = CosTransmitted(cosTheta_i, eta). Born and Wolf, sec. 1.5.2.
-inline float FrDielectric(float cosTheta_i, float cosTheta_t, float eta) {
-    const float parallel = (eta * cosTheta_i - cosTheta_t) / (eta * cosTheta_i + cosTheta_t);
-    const float perpendicular = (cosTheta_i - eta * cosTheta_t) / (cosTheta_i + eta * cosTheta_t);
-    const float R = (Sqr(parallel) + Sqr(perpendicular)) / 2;
-    return cosTheta_t > 0 ? R : 1;
+/// What a boundary between two dielectrics does with unpolarised light. R + T = 1 but for rounding;
+/// T does not cancel where R is near 1.
+struct DielectricFresnel {
+    float R, T;
+};
+/// Arguments as above, cosTheta_t = CosTransmitted(cosTheta_i, eta). Born and Wolf, sec. 1.5.2.
+inline DielectricFresnel FrDielectric(float cosTheta_i, float cosTheta_t, float eta) {
+    if (cosTheta_t == 0) return {1, 0};
+    const float parallel = 1 / (eta * cosTheta_i + cosTheta_t);
+    const float perpendicular = 1 / (cosTheta_i + eta * cosTheta_t);
+    const float r_p = (eta * cosTheta_i - cosTheta_t) * parallel;
+    const float r_s = (cosTheta_i - eta * cosTheta_t) * perpendicular;
+    return {(Sqr(r_p) + Sqr(r_s)) / 2,
+            2 * eta * cosTheta_i * cosTheta_t * (Sqr(parallel) + Sqr(perpendicular))};
 }
-inline float FrDielectric(float cosTheta_i, float eta) {
+inline DielectricFresnel FrDielectric(float cosTheta_i, float eta) {
     return FrDielectric(cosTheta_i, CosTransmitted(cosTheta_i, eta), eta);
+}
+
+/// a of (a + i b)^2 from a^2 + b^2, a^2 - b^2 and 2 a b; whichever of a and b is the larger is
+/// found as a root and the other from it, so nothing cancels.
+inline SampledSpectrum RealPart(SampledSpectrum sum, SampledSpectrum difference,
+                                SampledSpectrum two_ab) {
+    const SampledSpectrum::Lanes d = difference.Values();
+    const SampledSpectrum larger = Sqrt(0.5f * (sum + SampledSpectrum(d < 0 ? -d : d)));
+    const SampledSpectrum smaller = 0.5f * two_ab / larger;
+    return SampledSpectrum(d < 0 ? smaller.Values() : larger.Values());
 }
 
 /// Reflectance of unpolarised light at a metal of complex index eta + i k, relative to the near
@@ -37,13 +58,13 @@ inline SampledSpectrum FrConductor(float cosTheta_i, SampledSpectrum eta, Sample
     const SampledSpectrum two_ab = 2 * eta * k;
     const SampledSpectrum difference = eta * eta - k * k - SampledSpectrum(sin2);  // a^2 - b^2
     const SampledSpectrum sum = Sqrt(difference * difference + two_ab * two_ab);   // a^2 + b^2
-    const SampledSpectrum a = Sqrt(ClampZero(0.5f * (sum + difference)));
+    const SampledSpectrum a = RealPart(sum, difference, two_ab);
     const SampledSpectrum even_s = sum + SampledSpectrum(cos2), odd_s = (2 * cosTheta_i) * a;
     const SampledSpectrum even_p = cos2 * sum + SampledSpectrum(Sqr(sin2)), odd_p = sin2 * odd_s;
     const SampledSpectrum minus_s = even_s - odd_s, plus_s = even_s + odd_s;
     // (R_s + R_p) / 2 over a common denominator, which is 0 only where nothing reflects: eta = 1
     // and k = 0 at grazing.
-    return minus_s * even_p / (plus_s * (even_p + odd_p) + SampledSpectrum(1e-30f));
+    return ClampZero(minus_s) * even_p / (plus_s * (even_p + odd_p) + SampledSpectrum(1e-30f));
 }
 
 }  // namespace pbrt

@@ -40,7 +40,7 @@ inline Point2f SampleUniformDiskConcentric(Point2f u) {
     const bool wide = std::abs(a) > std::abs(b);
     const float r = wide ? a : b, other = wide ? b : a;
     // An eighth of a turn each side of the axis along r.
-    const SinCos angle = SinCosTurns(r == 0 ? 0 : other / r * 0.125f);
+    const SinCos angle = SinCosQuarters(r == 0 ? 0 : 0.5f * other / r);
     return wide ? Point2f{r * angle.cos, r * angle.sin} : Point2f{r * angle.sin, r * angle.cos};
 }
 inline Point2f InvertUniformDiskConcentric(Point2f p) {

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "bxdf/bxdf_case.h"
+#include "pbrt/bxdfs/conductor.h"
+#include "pbrt/bxdfs/dielectric.h"
+#include "pbrt/bxdfs/diffuse.h"
+
+namespace pbrt::test {
+
+/// Every BxDF there is.
+using BxDFTypes = testing::Types<DiffuseBxDF, ConductorBxDF, DielectricBxDF>;
+
+inline SampledSpectrum Spectral(float a, float b, float c, float d) {
+    return SampledSpectrum(std::array<float, 4>{a, b, c, d});
+}
+
+template <>
+inline std::vector<BxDFCase<DiffuseBxDF>> CasesOf() {
+    return {{"white", DiffuseBxDF(SampledSpectrum(1))},
+            {"coloured", DiffuseBxDF(Spectral(0.1f, 0.5f, 0, 0.9f))}};
+}
+
+template <>
+inline std::vector<BxDFCase<ConductorBxDF>> CasesOf() {
+    const SampledSpectrum eta = Spectral(2, 0.2f, 1, 0.05f), k = Spectral(4, 3.9f, 0.5f, 8);
+    // Widths of pbrt-v4's chi-square tests, and beyond.
+    const float half = std::sqrt(0.5f), third = std::sqrt(0.3f), sixth = std::sqrt(0.15f);
+    return {{"mirror", ConductorBxDF(eta, k, 0, 0)},
+            {"isotropic", ConductorBxDF(eta, k, half, half)},
+            {"anisotropic", ConductorBxDF(eta, k, third, sixth)},
+            {"brushed", ConductorBxDF(eta, k, 0.05f, 0.4f)},
+            {"nearly smooth", ConductorBxDF(eta, k, 0, 0.0011f), 1, true, 0.05f},
+            {"very rough", ConductorBxDF(eta, k, 3, 30)},
+            {"nothing there", ConductorBxDF(SampledSpectrum(1), SampledSpectrum(0), 0.3f, 0.3f)}};
+}
+
+template <>
+inline std::vector<BxDFCase<DielectricBxDF>> CasesOf() {
+    const float half = std::sqrt(0.5f), third = std::sqrt(0.3f), sixth = std::sqrt(0.15f);
+    const float inv = 1 / 1.5f;
+    return {{"smooth", DielectricBxDF(1.5f, 0, 0), 1.5f},
+            {"smooth, dense outside", DielectricBxDF(inv, 0, 0), inv},
+            {"index 1", DielectricBxDF(1, 0.3f, 0.3f), 1},
+            {"isotropic", DielectricBxDF(1.5f, half, half), 1.5f},
+            {"anisotropic", DielectricBxDF(1.5f, third, sixth), 1.5f},
+            {"isotropic, dense outside", DielectricBxDF(inv, half, half), inv},
+            {"anisotropic, dense outside", DielectricBxDF(inv, third, sixth), inv},
+            {"index 1.05", DielectricBxDF(1.05f, 0.2f, 0.3f), 1.05f},
+            {"index 4", DielectricBxDF(4, 0.1f, 0.2f), 4},
+            {"nearly smooth", DielectricBxDF(1.5f, 0.0011f, 0), 1.5f, true, 0.1f},
+            {"very rough", DielectricBxDF(1.5f, 3, 30), 1.5f}};
+}
+
+}  // namespace pbrt::test
