@@ -52,8 +52,10 @@ TEST_F(ImgTool, CheckWantsFiniteBrightChangingPictures) {
         Save("good.exr", Picture({3, 1}, kRGB, {0.2f, 1, 0.2f, 1, 1, 1, 1, 0.2f, 1}));
     Succeed({"check", good});
     Succeed({"check", "--hue-change", "179", good});  // green to purple
-    const std::string gray = Save("gray.exr", Picture({1, 1}, kRGB, {1, 1, 1}));
-    EXPECT_NE(Fail({"check", "--hue-change", "10", gray}).find("a change of less than 10"),
+    // A gray strip has no hue of its own.
+    const std::string gray = Save("gray.exr", Picture({2, 1}, kRGB, {1, 1.01f, 1, 0.2f, 0.2f, 1}));
+    EXPECT_NE(Fail({"check", "--hue-change", "10", gray})
+                  .find("its hue changes by 0 degrees, less than 10"),
               std::string::npos);
     const std::string black = Save("black.exr", Image({2, 2}, kRGB));
     EXPECT_EQ(Fail({"check", black}), "imgtool: " + black + ": is black\n");
