@@ -9,6 +9,7 @@
 
 #include "pbrt/feather/barbule.h"
 #include "pbrt/feather/dispersion.h"
+#include "pbrt/feather/pigment.h"
 
 namespace pbrt::feather {
 
@@ -55,7 +56,7 @@ Optics<T, 4> Feather(std::array<double, 4> lambda = {450, 520, 590, 660}) {
     return optics;
 }
 
-template <std::floating_point T, class Quadrature = GaussPanel<8>>
+template <std::floating_point T, class Quadrature = AdaptiveRule>
 Barbule<T, 4, Quadrature> BarbuleOf(const Shape &s, const Optics<T, 4> &optics = Feather<T>()) {
     return {ParamsOf<T>(s), optics};
 }

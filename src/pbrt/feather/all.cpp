@@ -9,6 +9,7 @@
 #include "gap.h"
 #include "params.h"
 #include "pigment.h"
+#include "pigment_fast.h"
 #include "quadrature.h"
 #include "row.h"
 #include "thin_film.h"

@@ -15,7 +15,7 @@ struct Arc {
     T tangent;  ///< of a quarter of the arc's angle, in [0, 1]
 
     /// From one unit vector counterclockwise to another.
-    static Arc Between(Planar<T> from, Planar<T> to) {
+    [[gnu::always_inline]] static Arc Between(Planar<T> from, Planar<T> to) {
         // from + to is 2 cos(h) middle and the chord, turned back by 90 degrees, 2 sin(h) middle,
         // with h half of the arc's angle: their sum vanishes nowhere in [0, pi/2].
         const Planar<T> sum{from.n + to.n + to.x - from.x, from.x + to.x + from.n - to.n};
@@ -29,7 +29,7 @@ struct Arc {
         T rate;  ///< d angle / dx
     };
 
-    Node At(T x) const {
+    [[gnu::always_inline]] Node At(T x) const {
         const T t = tangent * x, scale = 1 / (1 + t * t);
         const T along = (1 - t * t) * scale, across = 2 * t * scale;
         return {{along * middle.n - across * middle.x, along * middle.x + across * middle.n},

@@ -13,7 +13,7 @@
 #include "facets.h"
 #include "gap.h"
 #include "params.h"
-#include "pigment.h"
+#include "pigment_fast.h"
 #include "row.h"
 #include "thin_film.h"
 
@@ -43,8 +43,8 @@ struct Sample {
 /// N wavelengths at once. Directions are of Direction's local frame, on either side of the vane.
 /// R, TRT and f are in 1/sr without a cosine, >= 0, finite, symmetric in wo and wi, and 0 where
 /// |wo.z| or |wi.z| is below kGrazing. Nothing here is random but what the caller's numbers make
-/// so. `Quadrature` integrates TRT, see pigment.h. Source: MODEL sections 3 to 7.
-template <std::floating_point T, int N, class Quadrature = GaussPanel<8>>
+/// so. `Quadrature` integrates TRT, see pigment_fast.h. Source: MODEL sections 3 to 7.
+template <std::floating_point T, int N, class Quadrature = AdaptiveRule>
 class Barbule {
   public:
     using Spectrum = std::array<T, N>;
@@ -63,8 +63,11 @@ class Barbule {
         return {wo, PigmentChance(std::abs(wo.z)), std::abs(wo.z) < kGrazing};
     }
 
+    // R, TRT, Pdf and PigmentChance are compiled once: inlined copies may round differently, and
+    // near the edge of what is seen a last bit decides between 0 and all.
+
     /// Reflection off the film, with interference.
-    Spectrum R(const View<T> &view, Direction<T> wi) const {
+    [[gnu::noinline]] Spectrum R(const View<T> &view, Direction<T> wi) const {
         const Glint glint = GlintTowards(view, wi);
         if (!glint.fromWo || !glint.fromWi) return {};
         Spectrum f;
@@ -75,7 +78,7 @@ class Barbule {
     }
 
     /// In through the film, off the melanin, out through the film.
-    Spectrum TRT(const View<T> &view, Direction<T> wi) const {
+    [[gnu::noinline]] Spectrum TRT(const View<T> &view, Direction<T> wi) const {
         const Direction<T> &wo = view.wo;
         if (view.grazing || std::abs(wi.z) < kGrazing || (row.Closed() && !SameSide(wo, wi)))
             return {};
@@ -97,7 +100,7 @@ class Barbule {
 
     /// Density with which SampleDirection draws wi, 1/sr, the gap's delta apart; its integral is
     /// 1 - (1 - p_t) GapFraction(wo). Exact for every opening.
-    T Pdf(const View<T> &view, Direction<T> wi) const {
+    [[gnu::noinline]] T Pdf(const View<T> &view, Direction<T> wi) const {
         if (view.grazing || std::abs(wi.z) < kGrazing) return 0;
         const Glint glint = GlintTowards(view, wi);
         const T reflected = glint.fromWo ? glint.density / (4 * std::abs(view.wo.z)) : T(0);
@@ -161,7 +164,7 @@ class Barbule {
     static constexpr T kOpposite = 16 * std::numeric_limits<T>::epsilon();
 
     /// p_t: the share of TRT in what a flat film of random thickness would return.
-    T PigmentChance(T cosine) const {
+    [[gnu::noinline, gnu::pure]] T PigmentChance(T cosine) const {
         T pigment = 0, film = 0;
         for (int i = 0; i < N; ++i) {
             const T surface = films[i].SurfaceReflectance(std::min(cosine, T(1)));

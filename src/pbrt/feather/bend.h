@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <concepts>
-#include <numbers>
+#include <optional>
 
+#include "arc.h"
 #include "direction.h"
 #include "row.h"
 #include "units.h"
@@ -18,7 +19,9 @@ struct Segment {
     T sin, cos;
 
     /// The direction w in the plane across the segment.
-    Planar<T> Across(Direction<T> w) const { return {w.y * sin + w.z * cos, w.x}; }
+    [[gnu::always_inline]] Planar<T> Across(Direction<T> w) const {
+        return {w.y * sin + w.z * cos, w.x};
+    }
 };
 
 /// The circular arc along a barbule: a chain of straight rows (MODEL section 4.3).
@@ -58,10 +61,20 @@ class Bend {
     /// The bend angles that w sees.
     Interval<T> SeenFrom(Direction<T> w) const {
         const T absY = std::abs(w.y), absZ = std::abs(w.z);
-        if (absY * sinOpening <= absZ * cosOpening) return {-opening, opening};
+        if (SeesAll(w)) return {-opening, opening};
         const T width = std::min(2 * opening, 2 * std::atan2(absZ, absY));
         return Side(w) > 0 ? Interval<T>{opening - width, opening}
                            : Interval<T>{-opening, width - opening};
+    }
+
+    /// The bend angles that both directions see, as an arc of points (cos a, sin a), if there are
+    /// any; SeenFrom without trigonometric functions.
+    std::optional<Arc<T>> SeenByBoth(Direction<T> wo, Direction<T> wi) const {
+        if (SeesAll(wo) && SeesAll(wi)) return Arc<T>{{1, 0}, sinOpening / (1 + cosOpening)};
+        const Interval<Planar<T>> o = Ends(wo), i = Ends(wi);
+        const Planar<T> from = o.lo.x > i.lo.x ? o.lo : i.lo, to = o.hi.x < i.hi.x ? o.hi : i.hi;
+        if (!(from.x < to.x)) return {};
+        return Arc<T>::Between(from, to);
     }
 
     /// The range of s for w.
@@ -84,6 +97,21 @@ class Bend {
     }
 
   private:
+    bool SeesAll(Direction<T> w) const {
+        return std::abs(w.y) * sinOpening <= std::abs(w.z) * cosOpening;
+    }
+
+    Interval<Planar<T>> Ends(Direction<T> w) const {
+        const Planar<T> plus{cosOpening, sinOpening}, minus{cosOpening, -sinOpening};
+        if (SeesAll(w)) return {minus, plus};
+        const T y = std::abs(w.y), z = std::abs(w.z), rSqr = y * y + z * z;
+        const T cosWidth = (y * y - z * z) / rSqr, sinWidth = 2 * y * z / rSqr;
+        const Planar<T> far{cosOpening * cosWidth + sinOpening * sinWidth,
+                            sinOpening * cosWidth - cosOpening * sinWidth};
+        return Side(w) > 0 ? Interval<Planar<T>>{far, plus}
+                           : Interval<Planar<T>>{minus, {far.n, -far.x}};
+    }
+
     T opening, sinOpening, cosOpening;
 };
 

@@ -24,13 +24,13 @@ struct Planar {
 };
 
 template <std::floating_point T>
-constexpr T Dot(Planar<T> a, Planar<T> b) {
+[[gnu::always_inline]] constexpr T Dot(Planar<T> a, Planar<T> b) {
     return a.n * b.n + a.x * b.x;
 }
 
 /// Positive when b lies counterclockwise of a, from n towards x.
 template <std::floating_point T>
-constexpr T Cross(Planar<T> a, Planar<T> b) {
+[[gnu::always_inline]] constexpr T Cross(Planar<T> a, Planar<T> b) {
     return a.n * b.x - a.x * b.n;
 }
 

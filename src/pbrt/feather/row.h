@@ -23,7 +23,7 @@ struct RowView {
     T Gap() const { return shift > 2 ? (shift - 2) / shift : T(0); }
 
     /// The point of the circle at height q across the beam, on the side that faces w.
-    Planar<T> PointAt(T q) const {
+    [[gnu::always_inline]] Planar<T> PointAt(T q) const {
         const T along = std::sqrt(std::max(T(0), 1 - q * q));
         return {along * u.n - q * u.x, along * u.x + q * u.n};
     }
@@ -37,7 +37,7 @@ struct RowView {
 };
 
 /// An interval, empty unless lo < hi.
-template <std::floating_point T>
+template <class T>
 struct Interval {
     T lo, hi;
 };
@@ -66,7 +66,7 @@ class Row {
     bool Closed() const { return stepSqr <= 4; }
 
     /// An in-plane vector turned into the frame of the ellipse's axes, and back.
-    Planar<T> ToAxes(Planar<T> w) const {
+    [[gnu::always_inline]] Planar<T> ToAxes(Planar<T> w) const {
         return {cosTilt * w.n + sinTilt * w.x, cosTilt * w.x - sinTilt * w.n};
     }
     Planar<T> FromAxes(Planar<T> w) const {
@@ -79,20 +79,19 @@ class Row {
     /// neighbours cross in a visible point when 2|D| > |v|^2 (this is |z| < G of MODEL 4.2,
     /// squared) and cut [-1, 1] at +-|D|/2 - s z sqrt(1/|v|^2 - 1/4); else the one in front hides
     /// all that it overlaps, and |D| is left at the other end.
-    RowView<T> SeenFrom(Planar<T> w) const {
+    [[gnu::always_inline]] RowView<T> SeenFrom(Planar<T> w) const {
         const Planar<T> axes = ToAxes(w), image{axes.n / aspect, axes.x};
         const T reach = std::sqrt(Dot(image, image));
         const T scale = 1 / std::max(reach, kNoReach);
         const Planar<T> u{image.n * scale, image.x * scale};
         const T d = spacing / aspect * w.n * scale;
         const T shift = std::abs(d), z = std::copysign(T(1), d) * Dot(step, u);
-        if (shift >= 2) return {u, reach, shift, -1, 1};
-        if (2 * shift > stepSqr) {
-            const T mid = -midSlope * z;
-            return {u, reach, shift, mid - shift / 2, mid + shift / 2};
-        }
-        return z > 0 ? RowView<T>{u, reach, shift, -1, shift - 1}
-                     : RowView<T>{u, reach, shift, 1 - shift, 1};
+        const T middle = -midSlope * z;
+        // Selected, not branched to: the loops over segments run in vector registers.
+        const bool whole = shift >= 2, cross = 2 * shift > stepSqr, upperHidden = z > 0;
+        const T lower = cross ? middle - shift / 2 : upperHidden ? T(-1) : 1 - shift;
+        const T upper = cross ? middle + shift / 2 : upperHidden ? shift - 1 : T(1);
+        return {u, reach, shift, whole ? T(-1) : lower, whole ? T(1) : upper};
     }
 
     /// Share of the light along the in-plane direction w that passes: max(0, 1 - 2/|D|).
