@@ -203,6 +203,34 @@ TEST(Directives, TransformTimesAreKept) {
     EXPECT_EQ(parsed->scene.transformEnd, 2);
 }
 
+TEST(Directives, WhatIsUndefinedIsReportedOnceAndLeftOut) {
+    const auto parsed = ParseWorld(R"(NamedMaterial "none" Shape "a" Shape "b"
+        ObjectBegin "o" ObjectInstance "o" ObjectInstance "missing" Shape "c" ObjectEnd
+        ObjectInstance "missing" ObjectInstance "o"
+        MakeNamedMaterial "typeless" NamedMaterial "typeless" Shape "d")");
+    EXPECT_EQ(parsed->Messages(),
+              (Texts{"test.pbrt:5:9: material \"typeless\" lacks its \"string type\"",
+                     "test.pbrt:2:1: material \"none\" is not defined",
+                     "test.pbrt:4:9: object \"missing\" is not defined",
+                     "test.pbrt:3:25: object \"o\" contains itself"}));
+    const Description &d = parsed->scene;
+    for (const ShapeEntity &s : d.shapes)
+        EXPECT_EQ(s.namedMaterial, "");
+    EXPECT_EQ(d.objects.at("o").shapes.at(0).namedMaterial, "");
+    EXPECT_TRUE(d.objects.at("o").instances.empty());
+    ASSERT_EQ(d.instances.size(), 1u);
+    EXPECT_EQ(d.instances[0].name, "o");
+}
+
+TEST(Directives, HopelessFilesAreGivenUp) {
+    std::string text;
+    for (int i = 0; i < 1000; ++i)
+        text += "Oops" + std::to_string(i) + "\n";
+    const auto parsed = ParseWorld(text);
+    EXPECT_EQ(parsed->log.ErrorCount(), 201);
+    EXPECT_EQ(parsed->Messages().back(), "test.pbrt:202:1: 200 errors; gave up");
+}
+
 TEST(Directives, EverythingMayStandOnOneLine) {
     const auto parsed = Parse(
         "Camera\"perspective\"\"float fov\"[40]WorldBegin Shape\"sphere\"Translate 1 2 3 "

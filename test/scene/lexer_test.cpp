@@ -90,6 +90,32 @@ TEST(Lexer, UnclosedStringIsAnErrorAtItsStart) {
     EXPECT_EQ(escapedQuote.tokens, (Strings{"!bc\"", "X"}));
 }
 
+TEST(Lexer, ReadsShortNumbersUpToAnythingElse) {
+    Diagnostics log;
+    Lexer lexer("1 -2.5\n# 7\n\t3]4 1e2 5 6\xC3\xA4 7 123456789 x", "f", &log);
+    std::vector<float> numbers;
+    const auto read = [&] {
+        numbers.clear();
+        lexer.ReadShortNumbers(&numbers);
+        return numbers;
+    };
+    EXPECT_EQ(read(), (std::vector<float>{1, -2.5, 3}));
+    EXPECT_EQ(lexer.Peek().kind, TokenKind::Close);
+    EXPECT_EQ(lexer.Loc(), (FileLoc{"f", 3, 3}));
+    EXPECT_EQ(read(), std::vector<float>{});
+    lexer.Advance();
+    EXPECT_EQ(read(), std::vector<float>{4});
+    EXPECT_EQ(lexer.Peek().text, "1e2");
+    lexer.Advance();
+    EXPECT_EQ(read(), std::vector<float>{5});
+    EXPECT_EQ(lexer.Peek().text, "6\xC3\xA4");
+    EXPECT_EQ(read(), std::vector<float>{});
+    lexer.Advance();
+    EXPECT_EQ(lexer.Loc(), (FileLoc{"f", 3, 15}));
+    EXPECT_EQ(read(), std::vector<float>{7});
+    EXPECT_EQ(lexer.Peek().text, "123456789");
+}
+
 TEST(Lexer, ShowsLongTokensShortened) {
     EXPECT_EQ(Shown({TokenKind::Word, 1, 1, "abc"}), "\"abc\"");
     EXPECT_EQ(Shown({TokenKind::String, 1, 1, "abc"}), "the string \"abc\"");

@@ -1,9 +1,13 @@
 #include "pbrt/scene/number.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <charconv>
 #include <cmath>
 #include <limits>
+#include <random>
 
 namespace pbrt {
 namespace {
@@ -52,6 +56,37 @@ TEST(Number, TooLargeIsRefusedAndTooSmallIsZero) {
     EXPECT_EQ(ParseFloat("1e-45"), std::numeric_limits<float>::denorm_min());
     EXPECT_EQ(WhyNotFloat("1e39"), "\"1e39\" is too large for a 32-bit float");
     EXPECT_EQ(WhyNotFloat("nan"), "\"nan\" is not a number");
+}
+
+/// Decimals as printf writes them, on both sides of what is short.
+TEST(Number, RoundsAsTheStandardLibraryDoes) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> exponent(-12, 12), mantissa(-10, 10);
+    for (int i = 0; i < 200000; ++i) {
+        const double x = mantissa(random) * std::pow(10., exponent(random));
+        const std::string text =
+            fmt::format(fmt::runtime(i % 2 ? "{:.{}g}" : "{:.{}f}"), x, 1 + i % 11);
+        float expected = 0;
+        std::from_chars(text.data(), text.data() + text.size(), expected);
+        const std::optional<float> value = ParseFloat(text);
+        ASSERT_TRUE(value) << text;
+        ASSERT_EQ(std::bit_cast<uint32_t>(*value), std::bit_cast<uint32_t>(expected)) << text;
+    }
+}
+
+TEST(Number, ShortDecimalsEndWhereTheyEnd) {
+    const auto rest = [](std::string_view text) {
+        float value = 0;
+        const char *const stop = ParseShortDecimal(text.data(), text.data() + text.size(), &value);
+        return stop ? std::string(stop, text.data() + text.size()) : "none";
+    };
+    EXPECT_EQ(rest("1.5 2"), " 2");
+    EXPECT_EQ(rest("-.5]"), "]");
+    EXPECT_EQ(rest("1.x"), "x");
+    EXPECT_EQ(rest("16777215"), "");
+    for (const char *text : {"", "-", ".", "-.", "+1", "16777216", "0.00000000001", "x", "inf",
+                             "00000000000000000001"})
+        EXPECT_EQ(rest(text), "none") << text;
 }
 
 TEST(Number, ReadsIntegers) {

@@ -237,6 +237,19 @@ TEST(ParamDict, ErrorsOfPlugInsStandAtTheParameter) {
                                    "test.pbrt:2:1: three", "test.pbrt:3:1: four"}));
 }
 
+TEST(ParamDict, MayOwnItsParameters) {
+    ParsedParameter p;
+    p.type = "float", p.name = "f", p.floats = {3};
+    Diagnostics log;
+    ParamDict moved(ParsedParameters{p}, {"f", 1, 1}, "x", nullptr, &log);
+    ParamDict copy = moved;
+    EXPECT_EQ(copy.GetOneFloat("f", 0), 3);
+    copy.ReportUnused();
+    EXPECT_FALSE(log.HasErrors());
+    moved.ReportUnused();  // what the copy read is its own affair
+    EXPECT_TRUE(log.HasErrors());
+}
+
 TEST(ParamDict, WhatTheParserRefusedIsNotReportedAgain) {
     const auto parsed =
         ParseWorld(R"(Material "m" "float f" x "point3 P" [ 1 2 x ] "rgb c" [ x ])");

@@ -17,6 +17,7 @@ bool IsDirective(const Token &t) {
 std::optional<std::string> Parser::Name(std::string_view what) {
     const Token &t = lexer->Peek();
     if (t.kind == TokenKind::Word && !IsDirective(t)) {
+        if (lexer->ReportMissingQuote()) return Resynchronise(), std::nullopt;
         Error(lexer->Loc(), fmt::format("{} must be quoted: \"{}\"", what, t.text));
     } else if (t.kind != TokenKind::String) {
         Expected(fmt::format("{} in quotes", what));

@@ -50,13 +50,19 @@ class SceneBuilder {
     void AreaLightSource(Entity light);
     void Material(Entity material);
     void MakeNamedMaterial(const std::string &name, Entity material);
+    /// Takes note of the name of a material whose definition was refused.
+    void RefuseNamedMaterial(const std::string &name, const FileLoc &loc) {
+        namedMaterials.try_emplace(name, loc);
+    }
     void NamedMaterial(const std::string &name, const FileLoc &loc);
     void Texture(const std::string &name, bool isFloat, Entity texture);
 
     /// Between the two, a file is read whose changes of state and coordinate systems stay inside.
     void BeginImport();
     void EndImport();
-    /// After the last file: what is left open or undefined.
+    /// After the last file: what is left open, undefined or contains itself is reported. The
+    /// description is then consistent: undefined materials are the default one, uses of undefined
+    /// objects and uses that close a circle are left out.
     void Finish();
 
   private:

@@ -16,28 +16,25 @@ std::vector<std::string_view> Names(const Map &map) {
     return names;
 }
 
-/// Finds objects that contain themselves, depth first.
+/// Takes out of all objects the uses that make one contain itself, depth first.
 class InstanceCycles {
   public:
-    InstanceCycles(const Description &scene, Diagnostics *log) : scene(scene), log(log) {}
+    InstanceCycles(Description *scene, Diagnostics *log) : scene(scene), log(log) {}
 
     void Visit(const std::string &name) {
         if (done.contains(name)) return;
-        const auto object = scene.objects.find(name);
-        if (object == scene.objects.end()) return;
         above.insert(name);
-        for (const InstanceUse &use : object->second.instances) {
-            if (above.contains(use.name))
-                log->Error(use.loc, fmt::format("object \"{}\" contains itself", use.name));
-            else
-                Visit(use.name);
-        }
+        std::erase_if(scene->objects.at(name).instances, [this](const InstanceUse &use) {
+            if (!above.contains(use.name)) return Visit(use.name), false;
+            log->Error(use.loc, fmt::format("object \"{}\" contains itself", use.name));
+            return true;
+        });
         above.erase(name);
         done.insert(name);
     }
 
   private:
-    const Description &scene;
+    Description *scene;
     Diagnostics *log;
     std::set<std::string> above, done;
 };
@@ -57,23 +54,37 @@ void SceneBuilder::CheckMaterialUses() {
         if (!namedMaterials.contains(name) && reported.insert(name).second)
             log->Error(loc, fmt::format("material \"{}\" is not defined{}", name,
                                         DidYouMean(name, known)));
+    std::set<std::string_view> present;
+    for (const NamedMaterialEntity &m : scene->namedMaterials)
+        present.insert(m.name);
+    const auto useDefault = [&](std::deque<ShapeEntity> &shapes) {
+        for (ShapeEntity &s : shapes)
+            if (!s.namedMaterial.empty() && !present.contains(s.namedMaterial))
+                s.namedMaterial.clear();
+    };
+    useDefault(scene->shapes);
+    for (auto &[name, object] : scene->objects)
+        useDefault(object.shapes);
 }
 
 void SceneBuilder::CheckInstanceUses() {
     const std::vector<std::string_view> known = Names(scene->objects);
-    std::set<std::string_view> reported;
-    const auto check = [&](const std::vector<InstanceUse> &uses) {
-        for (const InstanceUse &use : uses)
-            if (!scene->objects.contains(use.name) && reported.insert(use.name).second)
+    std::set<std::string> reported;
+    const auto keepDefined = [&](std::vector<InstanceUse> &uses) {
+        std::erase_if(uses, [&](const InstanceUse &use) {
+            if (scene->objects.contains(use.name)) return false;
+            if (reported.insert(use.name).second)
                 log->Error(use.loc, fmt::format("object \"{}\" is not defined{}", use.name,
                                                 DidYouMean(use.name, known)));
+            return true;
+        });
     };
-    check(scene->instances);
-    InstanceCycles cycles(*scene, log);
-    for (const auto &[name, object] : scene->objects) {
-        check(object.instances);
+    keepDefined(scene->instances);
+    for (auto &[name, object] : scene->objects)
+        keepDefined(object.instances);
+    InstanceCycles cycles(scene, log);
+    for (const auto &[name, object] : scene->objects)
         cycles.Visit(name);
-    }
 }
 
 }  // namespace pbrt

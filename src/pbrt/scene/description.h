@@ -54,7 +54,7 @@ struct InstanceUse {
 /// ObjectBegin ... ObjectEnd: shapes in world coordinates of the definition, and nested uses.
 struct ObjectEntity {
     FileLoc loc;
-    std::vector<ShapeEntity> shapes;
+    std::deque<ShapeEntity> shapes;
     std::vector<InstanceUse> instances;
 };
 
@@ -78,7 +78,7 @@ struct Description {
     std::vector<NamedMaterialEntity> namedMaterials;
     std::vector<TextureEntity> textures;  ///< in file order
     std::vector<LightEntity> lights;
-    std::vector<ShapeEntity> shapes;
+    std::deque<ShapeEntity> shapes;  ///< no vector: there may be millions, and none need move
     std::map<std::string, ObjectEntity> objects;
     std::vector<InstanceUse> instances;
     Options options;
@@ -88,7 +88,8 @@ struct Description {
 
 /// Reads scene files (or standard input for an empty list or "-") into `scene`. Mistakes go to the
 /// diagnostics; parsing goes on after each where it can. `scene.options` holds the command line's
-/// values on entry.
+/// values on entry. Afterwards every named material that a shape refers to and every object that is
+/// used is defined, and no object contains itself: what would is reported and left out.
 void ParseFiles(const std::vector<std::string> &files, Description &scene, Diagnostics &log);
 /// The same from text; `name` stands for the file in messages, `dir` for its folder.
 void ParseString(std::string_view text, std::string_view name, std::string_view dir,

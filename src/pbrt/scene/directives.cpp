@@ -200,8 +200,10 @@ void Parser::MakeNamedMaterial() {
     const auto type = std::find_if(e.params.rbegin(), e.params.rend(), [](const auto &p) {
         return p.name == "type" && p.type == "string" && p.strings.size() == 1;
     });
-    if (type == e.params.rend())
-        return log->Error(at, fmt::format("material \"{}\" lacks its \"string type\"", *name));
+    if (type == e.params.rend()) {
+        log->Error(at, fmt::format("material \"{}\" lacks its \"string type\"", *name));
+        return builder.RefuseNamedMaterial(*name, at);
+    }
     e.type = type->strings[0];
     std::erase_if(e.params, [](const auto &p) { return p.name == "type" && p.type == "string"; });
     builder.MakeNamedMaterial(*name, std::move(e));

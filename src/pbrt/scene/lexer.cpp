@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+
+#include "pbrt/scene/number.h"
 
 namespace pbrt {
 namespace {
@@ -50,13 +53,20 @@ char Unescaped(char c) {
 }  // namespace
 
 Lexer::Lexer(std::string_view text, std::string_view file, Diagnostics *log)
-    : next(text.data()), end(text.data() + text.size()), lineStart(next), file(file), log(log) {
+    : begin(text.data()),
+      next(begin),
+      end(begin + text.size()),
+      tokenStart(begin),
+      lineStart(begin),
+      file(file),
+      log(log) {
     if (text.starts_with("\xEF\xBB\xBF")) lineStart = next += 3;
     Advance();
 }
 
 void Lexer::Advance() {
     SkipBlanks();
+    tokenStart = next;
     token.line = line;
     token.column = Column(next);
     if (next == end) {
@@ -70,6 +80,21 @@ void Lexer::Advance() {
     } else {
         ReadWord();
     }
+}
+
+void Lexer::ReadShortNumbers(std::vector<float> *numbers) {
+    float value = 0;
+    if (token.kind != TokenKind::Word || ParseShortDecimal(token.text.data(), next, &value) != next)
+        return;
+    numbers->push_back(value);
+    SkipBlanks();
+    while (const char *const stop = ParseShortDecimal(next, end, &value)) {
+        if (stop != end && Class(*stop) != Blank && *stop != ']') break;
+        numbers->push_back(value);
+        next = stop;
+        SkipBlanks();
+    }
+    Advance();
 }
 
 void Lexer::SkipBlanks() {
@@ -138,6 +163,23 @@ void Lexer::EndString(std::string_view text, bool closed) {
     if (token.text.ends_with('\r')) token.text.remove_suffix(1);
     log->Error(Loc(token), fmt::format("the string \"{}\" is not closed before the end of its {}",
                                        token.text, next == end ? "file" : "line"));
+}
+
+bool Lexer::ReportMissingQuote() {
+    if (token.kind == TokenKind::End || token.kind == TokenKind::Broken) return false;
+    const char *c = tokenStart;
+    while (c != begin && c[-1] != '\n')
+        --c;
+    bool inString = false;
+    for (; c != end && *c != '\n' && (inString || *c != '#'); ++c) {
+        if (*c == '"') inString = !inString;
+        if (*c == '\\' && c + 1 != end && c[1] != '\n') ++c;
+    }
+    if (!inString) return false;
+    log->Error(Loc(), "a quotation mark is missing on this line, here or before");
+    next = std::find(c, end, '\n');
+    Advance();
+    return true;
 }
 
 std::string Shown(const Token &token) {

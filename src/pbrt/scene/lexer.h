@@ -4,6 +4,7 @@
 #include <deque>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "pbrt/util/diagnostics.h"
 
@@ -34,10 +35,16 @@ class Lexer {
     /// The token not yet consumed.
     const Token &Peek() const { return token; }
     void Advance();
+    /// Consumes the plain short numbers (ParseShortDecimal) that follow, appending them to
+    /// `numbers`; stops at any other token. A short cut past the tokens for long lists.
+    void ReadShortNumbers(std::vector<float> *numbers);
     FileLoc Loc(const Token &t) const { return {file, t.line, t.column}; }
     /// Place of the token not yet consumed.
     FileLoc Loc() const { return Loc(token); }
-    std::string_view File() const { return file; }
+    /// Where a quote is missing on the line of the token not yet consumed, and so everything after
+    /// it means something else: reports that instead of what follows from it, and passes over the
+    /// line. Call it before any other error about the token.
+    bool ReportMissingQuote();
 
   private:
     void SkipBlanks();
@@ -48,7 +55,9 @@ class Lexer {
     void EndString(std::string_view text, bool closed);
     int Column(const char *p) const { return int(p - lineStart) + 1; }
 
+    const char *const begin;
     const char *next, *end;
+    const char *tokenStart;
     const char *lineStart;  ///< moved on by one for every UTF-8 continuation byte of the line
     int line = 1;
     Token token;

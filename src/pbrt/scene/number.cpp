@@ -41,9 +41,10 @@ std::optional<double> Wide(std::string_view text) {
 
 std::optional<float> ParseFloat(std::string_view text) {
     const char *first = text.data(), *last = first + text.size();
+    float value;
+    if (ParseShortDecimal(first, last, &value) == last) return value;
     const char *digit = first != last && *first == '-' ? first + 1 : first;
     if (digit != last && (IsDigit(*digit) || *digit == '.')) {
-        float value;
         const auto [stop, error] = std::from_chars(first, last, value);
         if (stop == last && error == std::errc()) return value;
     }

@@ -49,17 +49,20 @@ std::string_view NewNameOfType(std::string_view name) {
 }
 
 Declaration SplitDeclaration(std::string_view text) {
-    constexpr std::string_view kBlanks = " \t";
+    size_t next = 0;
+    const auto isBlank = [&] { return text[next] == ' ' || text[next] == '\t'; };
+    const auto readWord = [&] {
+        while (next < text.size() && isBlank())
+            ++next;
+        const size_t start = next;
+        while (next < text.size() && !isBlank())
+            ++next;
+        return text.substr(start, next - start);
+    };
     Declaration d;
-    const size_t type = text.find_first_not_of(kBlanks);
-    if (type == text.npos) return d;
-    const size_t typeEnd = std::min(text.find_first_of(kBlanks, type), text.size());
-    d.type = text.substr(type, typeEnd - type);
-    const size_t name = text.find_first_not_of(kBlanks, typeEnd);
-    if (name == text.npos) return d;
-    const size_t nameEnd = std::min(text.find_first_of(kBlanks, name), text.size());
-    if (text.find_first_not_of(kBlanks, nameEnd) != text.npos) return d;  // a third word
-    d.name = text.substr(name, nameEnd - name);
+    d.type = readWord();
+    d.name = readWord();
+    if (!readWord().empty()) d.name = {};  // a third word
     return d;
 }
 

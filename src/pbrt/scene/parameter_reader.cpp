@@ -54,8 +54,9 @@ ParsedParameters ParameterReader::Read(Lexer &lexer, const RGBColorSpace *colorS
 void ParameterReader::ReadOne(Lexer &lexer, const RGBColorSpace *colorSpace) {
     const FileLoc loc = lexer.Loc();
     declaration = lexer.Peek().text;
-    lexer.Advance();
     const Declaration d = SplitDeclaration(declaration);
+    if (d.name.empty() && lexer.ReportMissingQuote()) return;
+    lexer.Advance();
     if (d.name.empty()) {
         log->Error(loc, fmt::format("expected a parameter declaration \"type name\", found \"{}\"",
                                     declaration));
@@ -73,7 +74,7 @@ void ParameterReader::ReadOne(Lexer &lexer, const RGBColorSpace *colorSpace) {
     }
     floats.clear(), ints.clear(), strings.clear(), bools.clear();
     ParsedParameter &p = parameters.emplace_back();
-    p.type = d.type;
+    p.type = type->name;
     p.name = d.name;
     p.loc = loc;
     p.valueLoc = lexer.Loc();
@@ -86,10 +87,12 @@ void ParameterReader::ReadOne(Lexer &lexer, const RGBColorSpace *colorSpace) {
     } else {
         if (!ReadValue(lexer, *type) || !IsLast(lexer)) return SkipValues(lexer);
     }
-    p.floats = floats;
-    p.ints = ints;
-    p.bools = bools;
-    p.strings = strings;
+    if (!floats.empty()) p.floats = floats;
+    if (!ints.empty()) p.ints = ints;
+    if (!bools.empty()) p.bools = bools;
+    if (!strings.empty())
+        p.strings.assign(std::make_move_iterator(strings.begin()),
+                         std::make_move_iterator(strings.end()));
 }
 
 bool ParameterReader::ReadList(Lexer &lexer, const ParamType &type) {
@@ -98,11 +101,15 @@ bool ParameterReader::ReadList(Lexer &lexer, const ParamType &type) {
         lexer.Advance();
         return false;
     }
-    while (lexer.Peek().kind != TokenKind::Close)
+    const bool numbers = type.kind == ValueKind::Float;
+    if (numbers) lexer.ReadShortNumbers(&floats);
+    while (lexer.Peek().kind != TokenKind::Close) {
         if (!ReadValue(lexer, type)) {
             SkipList(lexer);
             return false;
         }
+        if (numbers) lexer.ReadShortNumbers(&floats);
+    }
     lexer.Advance();
     return true;
 }
@@ -198,7 +205,8 @@ bool ParameterReader::Fail(const FileLoc &loc, std::string_view message) {
     return false;
 }
 
-bool ParameterReader::Expected(const Lexer &lexer, std::string_view what) {
+bool ParameterReader::Expected(Lexer &lexer, std::string_view what) {
+    if (lexer.ReportMissingQuote()) return false;
     const Token &t = lexer.Peek();
     if (t.kind == TokenKind::Broken) return false;  // reported by the lexer
     return Fail(lexer.Loc(),

@@ -32,7 +32,7 @@ class ParameterReader {
     void SkipList(Lexer &lexer);
     /// An error about the parameter being read; returns false.
     bool Fail(const FileLoc &loc, std::string_view message);
-    bool Expected(const Lexer &lexer, std::string_view what);
+    bool Expected(Lexer &lexer, std::string_view what);
 
     Diagnostics *log;
     std::string_view declaration;  ///< of the parameter being read, as written

@@ -23,9 +23,23 @@ std::string_view Lasting(std::string_view type) {
 
 }  // namespace
 
-ParamDict::ParamDict(ParsedParameters parameters, FileLoc directive, std::string what,
+ParamDict::ParamDict(const ParsedParameters &params, FileLoc directive, std::string what,
                      const RGBColorSpace *colorSpace, Diagnostics *diagnostics, std::string dir)
-    : params(std::move(parameters)),
+    : params(params),
+      used(params.size()),
+      directive(directive),
+      what(std::move(what)),
+      colorSpace(colorSpace),
+      diagnostics(diagnostics),
+      dir(std::move(dir)) {
+    constexpr size_t kMostPlugIns = 16;  // ask for fewer names
+    asked.reserve(kMostPlugIns);
+}
+
+ParamDict::ParamDict(ParsedParameters &&given, FileLoc directive, std::string what,
+                     const RGBColorSpace *colorSpace, Diagnostics *diagnostics, std::string dir)
+    : own(std::make_shared<const ParsedParameters>(std::move(given))),
+      params(*own),
       used(params.size()),
       directive(directive),
       what(std::move(what)),

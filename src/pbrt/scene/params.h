@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,7 +19,8 @@ namespace pbrt {
 /// One `"type name" [ values ]` as written. Only the vector that the type calls for is filled; none
 /// where the values were wrong, which has been reported: getters then return the default silently.
 struct ParsedParameter {
-    std::string type, name;
+    std::string_view type;  ///< one of the language's; text that lives for ever
+    std::string name;
     FileLoc loc;       ///< of the quoted declaration
     FileLoc valueLoc;  ///< of the first value
     std::vector<float> floats;
@@ -50,8 +52,12 @@ struct NumberRow {
 class ParamDict {
   public:
     /// `what` says whose parameters these are, e.g. `material "diffuse"`. `params`: the directive's
-    /// own in file order, then inherited ones. `dir`: folder that relative file names start from.
-    ParamDict(ParsedParameters params, FileLoc directive, std::string what,
+    /// own in file order, then inherited ones; they must outlive the dictionary. `dir`: folder that
+    /// relative file names start from.
+    ParamDict(const ParsedParameters &params, FileLoc directive, std::string what,
+              const RGBColorSpace *colorSpace, Diagnostics *diagnostics, std::string dir = "");
+    /// The same with parameters of its own.
+    ParamDict(ParsedParameters &&params, FileLoc directive, std::string what,
               const RGBColorSpace *colorSpace, Diagnostics *diagnostics, std::string dir = "");
 
     float GetOneFloat(std::string_view name, float def);
@@ -143,7 +149,8 @@ class ParamDict {
     void ValueError(const ParsedParameter &p, std::string_view message);
     void ReportUnused(const ParsedParameter &p, size_t index);
 
-    ParsedParameters params;
+    std::shared_ptr<const ParsedParameters> own;
+    std::span<const ParsedParameter> params;
     std::vector<uint8_t> used;
     std::vector<Asked> asked;  ///< in order, each once
     FileLoc directive;

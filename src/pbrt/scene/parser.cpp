@@ -83,26 +83,30 @@ void Parser::ReadTokens(std::string_view text, std::string_view name) {
 }
 
 void Parser::ReadDirective() {
-    const Token token = lexer->Peek();
+    const Token &token = lexer->Peek();
     at = lexer->Loc();
-    if (token.kind != TokenKind::Word || !MayBeDirective(token.text)) {
-        if (token.kind != TokenKind::Broken)
-            log->Error(at, fmt::format("expected a directive, found {}", Shown(token)));
-        lexer->Advance();
+    directive = token.kind == TokenKind::Word ? FindDirective(token.text) : nullptr;
+    depth = 0;
+    if (!directive) {
+        if (!lexer->ReportMissingQuote()) {
+            RefuseDirective(token);
+            lexer->Advance();
+        }
         return Resynchronise();
     }
     lexer->Advance();
-    directive = FindDirective(token.text);
-    if (!directive) {
-        const std::string_view old = OldDirectiveHint(token.text);
-        log->Error(at, fmt::format("unknown directive {}{}", Shown(token),
-                                   old.empty() ? DidYouMean(token.text, DirectiveNames())
-                                               : fmt::format("; {}", old)));
-        return Resynchronise();
-    }
     if (!CheckPlace(*directive)) return Resynchronise();
-    depth = 0;
     (this->*directive->read)();
+}
+
+void Parser::RefuseDirective(const Token &token) {
+    if (token.kind == TokenKind::Broken) return;  // reported by the lexer
+    if (token.kind != TokenKind::Word || !MayBeDirective(token.text))
+        return log->Error(at, fmt::format("expected a directive, found {}", Shown(token)));
+    const std::string_view old = OldDirectiveHint(token.text);
+    log->Error(at, fmt::format("unknown directive {}{}", Shown(token),
+                               old.empty() ? DidYouMean(token.text, DirectiveNames())
+                                           : fmt::format("; {}", old)));
 }
 
 /// A directive before WorldBegin that belongs after it is read all the same, so that its own

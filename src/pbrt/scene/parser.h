@@ -44,6 +44,7 @@ class Parser {
 
     void ReadTokens(std::string_view text, std::string_view name);
     void ReadDirective();
+    void RefuseDirective(const Token &token);
     bool CheckPlace(const Directive &d);
     /// To the next word that may be a directive.
     void Resynchronise();
