@@ -53,8 +53,10 @@ class PathTracer {
             AddInfiniteLights();
             return false;
         }
-        const SurfacePoint sp = world.Interact(hit, ray);
         const Geometry &geometry = world.geometries[hit.geometry];
+        if (depth == settings.maxDepth && geometry.firstLight < 0 && !geometry.passesLight)
+            return false;
+        const SurfacePoint sp = world.Interact(hit, ray);
         if (geometry.firstLight >= 0) AddEmission(geometry, hit, sp);
         return std::visit([&](const auto &material) { return Scatter(material, sp); },
                           world.materials[geometry.material]);
@@ -99,9 +101,7 @@ class PathTracer {
     bool Scatter(const M &material, const SurfacePoint &sp) {
         if (depth == settings.maxDepth && !PassesLight<M>) return false;
         const TextureEvalContext ctx = world.TextureContext(sp);
-        Frame frame = sp.ShadingFrame();
-        if constexpr (requires { material.TurnFrame(frame, ctx); })
-            frame = material.TurnFrame(frame, ctx);
+        const Frame frame = FrameFor(material, sp, ctx);
         const Vector3f wo = frame.ToLocal(-ray.d);
         if (wo.z == 0) return false;
         if constexpr (PassesLight<M>)
@@ -115,6 +115,17 @@ class PathTracer {
         const auto s = bsdf.Sample_f(wo, uc, sampler.Get2D(), TransportMode::Radiance);
         if (!s || s->pdf == 0 || s->wi.z == 0 || !s->f) return false;
         return Continue(*s, bsdf.Flags(), sp, frame);
+    }
+
+    template <typename M>
+    static Frame FrameFor(const M &material, const SurfacePoint &sp,
+                          const TextureEvalContext &ctx) {
+        if constexpr (requires { M::kIsotropic; })
+            return Frame::FromZ(sp.ns);
+        else if constexpr (requires { material.TurnFrame(Frame(), ctx); })
+            return material.TurnFrame(sp.ShadingFrame(), ctx);
+        else
+            return sp.ShadingFrame();
     }
 
     /// After the last scattering only straight passage is left: take its expectation.

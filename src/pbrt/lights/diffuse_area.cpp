@@ -25,9 +25,11 @@ std::vector<DiffuseAreaLight> DiffuseAreaLight::Create(ParamDict &params, const 
     const EmissionScale scale = GetScale(params, "power", "lm");
     const bool twoSided = params.GetOneBool("twosided", false);
     const bool invisible = alpha.IsConstant() && alpha.Constant() == 0;
+    std::optional<Rectangle> rectangle;
+    if (const auto *mesh = std::get_if<BilinearMesh>(&shape)) rectangle = Rectangle::From(*mesh);
     const auto surface = std::make_shared<const Surface>(
         Surface{emission.spectrum, emission.luminance, &shape, twoSided,
-                invisible ? FloatTexture(1.f) : alpha, invisible});
+                invisible ? FloatTexture(1.f) : alpha, rectangle, invisible});
     std::vector<DiffuseAreaLight> lights(NPrimitives(shape));
     for (uint32_t i = 0; i < uint32_t(lights.size()); ++i) {
         const float flux = Pi * (twoSided ? 2 : 1) * Area(shape, i);

@@ -3,6 +3,7 @@
 #include "pbrt/lights/emission.h"
 #include "pbrt/lights/light.h"
 #include "pbrt/lights/light_bounds.h"
+#include "pbrt/shapes/rectangle.h"
 #include "pbrt/shapes/shape.h"
 #include "pbrt/textures/texture.h"
 
@@ -19,7 +20,8 @@ struct DiffuseAreaLight {
         const Shape *shape;
         bool twoSided;
         FloatTexture alpha;
-        bool invisible;  ///< alpha is 0 everywhere: light samples reach it, rays do not
+        std::optional<Rectangle> rectangle;  ///< of a shape that is just that: sampled faster
+        bool invisible;                      ///< alpha is 0 everywhere: light samples reach it, rays do not
     };
     /// One light per primitive of `shape`, which must outlive them. As in pbrt-v4 `power` is what
     /// each primitive emits.
@@ -29,7 +31,7 @@ struct DiffuseAreaLight {
     std::optional<LightLiSample> SampleLi(const LightSampleContext &ctx, Point2f u,
                                           const SampledWavelengths &lambda) const {
         const Surface &s = *surface;
-        const std::optional<ShapeSample> at = SampleFrom(*s.shape, primitive, ctx.p, u);
+        const std::optional<ShapeSample> at = Draw(ctx.p, u);
         if (!at || !(at->pdf > 0)) return std::nullopt;
         const Vector3f d = at->p - ctx.p;
         const float d2 = LengthSquared(d), cosine = -Dot(at->n, d);
@@ -40,6 +42,11 @@ struct DiffuseAreaLight {
         const float off = Dot(Abs(at->n), at->pError);
         return LightLiSample{s.radiance->Sample(lambda) * strength, d * (1 / std::sqrt(d2)),
                              at->pdf, at->p + at->n * (cosine > 0 ? off : -off), s.invisible};
+    }
+    /// Density of SampleLi for the direction wi from ref, which meets the surface at p.
+    float PDF(Point3f ref, Vector3f wi, Point3f p, Normal3f n) const {
+        if (surface->rectangle) return surface->rectangle->PDFFrom(ref, p);
+        return PDFFrom(*surface->shape, primitive, ref, wi, p, n);
     }
     /// Radiance that leaves a point seen with normal n into direction w.
     SampledSpectrum L(Normal3f n, Vector3f w, const SampledWavelengths &lambda) const {
@@ -54,6 +61,13 @@ struct DiffuseAreaLight {
     float scale = 1;
 
   private:
+    std::optional<ShapeSample> Draw(Point3f ref, Point2f u) const {
+        if (!surface->rectangle) return SampleFrom(*surface->shape, primitive, ref, u);
+        const Rectangle &r = *surface->rectangle;
+        const auto s = r.SampleFrom(ref, u);
+        if (!s) return std::nullopt;
+        return ShapeSample{s->p, r.Error(), r.Normal(), s->uv, s->pdf};
+    }
     float Opacity(const ShapeSample &at) const;
 };
 

@@ -55,7 +55,7 @@ inline float PDF_Li(const Light &light, const LightSampleContext &, Vector3f wi)
 inline float PDF_Hit(const Light &light, const LightSampleContext &ctx, Vector3f wi, Point3f p,
                      Normal3f n) {
     const auto *area = std::get_if<DiffuseAreaLight>(&light);
-    return area ? PDFFrom(*area->surface->shape, area->primitive, ctx.p, wi, p, n) : 0;
+    return area ? area->PDF(ctx.p, wi, p, n) : 0;
 }
 
 /// Radiance along a ray that leaves the scene.
