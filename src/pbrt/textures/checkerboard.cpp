@@ -1,5 +1,8 @@
 #include "pbrt/textures/checkerboard.h"
 
+#include "pbrt/textures/mapping2d.h"
+#include "pbrt/textures/mix.h"
+
 namespace pbrt {
 namespace {
 
@@ -16,64 +19,46 @@ float MeanWave(float x, float half) {
     return (triangle(x + half) - triangle(x - half)) / (2 * half);
 }
 
-struct CheckerFloat : FloatNode {
-    CheckerFloat(Checkerboard board, FloatTexture tex1, FloatTexture tex2)
-        : board(std::move(board)), tex1(std::move(tex1)), tex2(std::move(tex2)) {}
+/// Share of tex2, 0 to 1.
+struct Squares : FloatNode {
+    explicit Squares(TextureMapping2D mapping) : mapping(std::move(mapping)) {}
     float Evaluate(const TextureEvalContext &ctx) const override {
-        const float t = board.Second(ctx);
-        if (t == 0) return tex1.Evaluate(ctx);
-        if (t == 1) return tex2.Evaluate(ctx);
-        return Lerp(t, tex1.Evaluate(ctx), tex2.Evaluate(ctx));
+        const TexCoord2D c = mapping.Map(ctx);
+        const float halfS = (std::abs(c.dsdx) + std::abs(c.dsdy)) / 2;
+        const float halfT = (std::abs(c.dtdx) + std::abs(c.dtdy)) / 2;
+        return 0.5f - 0.5f * MeanWave(c.st.x, halfS) * MeanWave(c.st.y, halfT);
     }
-    Checkerboard board;
-    FloatTexture tex1, tex2;
+    TextureMapping2D mapping;
 };
 
-struct CheckerSpectrum : SpectrumNode {
-    CheckerSpectrum(Checkerboard board, SpectrumTexture tex1, SpectrumTexture tex2)
-        : board(std::move(board)), tex1(std::move(tex1)), tex2(std::move(tex2)) {}
-    SampledSpectrum Evaluate(const TextureEvalContext &ctx,
-                             const SampledWavelengths &lambda) const override {
-        const float t = board.Second(ctx);
-        if (t == 0) return tex1.Evaluate(ctx, lambda);
-        if (t == 1) return tex2.Evaluate(ctx, lambda);
-        return Lerp(t, tex1.Evaluate(ctx, lambda), tex2.Evaluate(ctx, lambda));
+struct Cubes : FloatNode {
+    explicit Cubes(const Transform &textureFromRender) : textureFromRender(textureFromRender) {}
+    float Evaluate(const TextureEvalContext &ctx) const override {
+        const Point3f p = textureFromRender.Point(ctx.p);
+        return Parity(std::floor(p.x) + std::floor(p.y) + std::floor(p.z));
     }
-    Checkerboard board;
-    SpectrumTexture tex1, tex2;
+    Transform textureFromRender;
 };
+
+FloatTexture CreateBoard(TextureBuilder &builder) {
+    if (builder.params.GetOneInt("dimension", 2, 2, 3) == 3)
+        return FloatTexture(std::make_shared<Cubes>(builder.textureFromRender));
+    return FloatTexture(std::make_shared<Squares>(
+        TextureMapping2D::Create(builder.params, builder.textureFromRender)));
+}
 
 }  // namespace
 
-Checkerboard Checkerboard::Create(TextureBuilder &builder) {
-    if (builder.params.GetOneInt("dimension", 2, 2, 3) == 3)
-        return Checkerboard(builder.textureFromRender);
-    return Checkerboard(TextureMapping2D::Create(builder.params, builder.textureFromRender));
-}
-
-float Checkerboard::Second(const TextureEvalContext &ctx) const {
-    if (const Transform *textureFromRender = std::get_if<Transform>(&space)) {
-        const Point3f p = textureFromRender->Point(ctx.p);
-        return Parity(std::floor(p.x) + std::floor(p.y) + std::floor(p.z));
-    }
-    const TexCoord2D c = std::get<TextureMapping2D>(space).Map(ctx);
-    const float halfS = (std::abs(c.dsdx) + std::abs(c.dsdy)) / 2;
-    const float halfT = (std::abs(c.dtdx) + std::abs(c.dtdy)) / 2;
-    return 0.5f - 0.5f * MeanWave(c.st.x, halfS) * MeanWave(c.st.y, halfT);
-}
-
 FloatTexture CheckerboardTexture::CreateFloat(TextureBuilder &builder) {
-    Checkerboard board = Checkerboard::Create(builder);
-    FloatTexture tex1 = builder.Float("tex1", 1), tex2 = builder.Float("tex2", 0);
-    return FloatTexture(std::make_shared<CheckerFloat>(std::move(board), tex1, tex2));
+    const FloatTexture board = CreateBoard(builder);
+    const FloatTexture tex1 = builder.Float("tex1", 1);
+    return Mixed(tex1, builder.Float("tex2", 0), board);
 }
 
 SpectrumByRole CheckerboardTexture::CreateSpectrum(TextureBuilder &builder) {
-    const Checkerboard board = Checkerboard::Create(builder);
-    const SpectrumByRole tex1 = builder.Spectra("tex1", 1), tex2 = builder.Spectra("tex2", 0);
-    return ForEachRole(tex1, tex2, [&](const SpectrumTexture &a, const SpectrumTexture &b) {
-        return SpectrumTexture(std::make_shared<CheckerSpectrum>(board, a, b));
-    });
+    const FloatTexture board = CreateBoard(builder);
+    const SpectrumByRole tex1 = builder.Spectra("tex1", 1);
+    return Mixed(tex1, builder.Spectra("tex2", 0), board);
 }
 
 }  // namespace pbrt

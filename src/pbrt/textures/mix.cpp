@@ -3,14 +3,19 @@
 namespace pbrt {
 namespace {
 
+/// (1 - t) a + t b, asking for both only where both count.
+template <typename Texture, typename... Args>
+auto MixedAt(const Texture &a, const Texture &b, float t, const Args &...args) {
+    if (t == 0) return a.Evaluate(args...);
+    if (t == 1) return b.Evaluate(args...);
+    return Lerp(t, a.Evaluate(args...), b.Evaluate(args...));
+}
+
 struct MixedFloat : FloatNode {
     MixedFloat(FloatTexture tex1, FloatTexture tex2, FloatTexture amount)
         : tex1(std::move(tex1)), tex2(std::move(tex2)), amount(std::move(amount)) {}
     float Evaluate(const TextureEvalContext &ctx) const override {
-        const float t = amount.Evaluate(ctx);
-        if (t == 0) return tex1.Evaluate(ctx);
-        if (t == 1) return tex2.Evaluate(ctx);
-        return Lerp(t, tex1.Evaluate(ctx), tex2.Evaluate(ctx));
+        return MixedAt(tex1, tex2, amount.Evaluate(ctx), ctx);
     }
     FloatTexture tex1, tex2, amount;
 };
@@ -20,10 +25,7 @@ struct MixedSpectrum : SpectrumNode {
         : tex1(std::move(tex1)), tex2(std::move(tex2)), amount(std::move(amount)) {}
     SampledSpectrum Evaluate(const TextureEvalContext &ctx,
                              const SampledWavelengths &lambda) const override {
-        const float t = amount.Evaluate(ctx);
-        if (t == 0) return tex1.Evaluate(ctx, lambda);
-        if (t == 1) return tex2.Evaluate(ctx, lambda);
-        return Lerp(t, tex1.Evaluate(ctx, lambda), tex2.Evaluate(ctx, lambda));
+        return MixedAt(tex1, tex2, amount.Evaluate(ctx), ctx, lambda);
     }
     SpectrumTexture tex1, tex2;
     FloatTexture amount;
@@ -59,6 +61,14 @@ SpectrumTexture Mixed(const SpectrumTexture &tex1, const SpectrumTexture &tex2,
     return SpectrumTexture(std::make_shared<MixedSpectrum>(tex1, tex2, amount));
 }
 
+SpectrumByRole Mixed(const SpectrumByRole &tex1, const SpectrumByRole &tex2,
+                     const FloatTexture &amount) {
+    SpectrumByRole made;
+    for (size_t i = 0; i < made.size(); ++i)
+        if (tex1[i] && tex2[i]) made[i] = Mixed(*tex1[i], *tex2[i], amount);
+    return made;
+}
+
 FloatTexture MixTexture::CreateFloat(TextureBuilder &builder) {
     const FloatTexture tex1 = builder.Float("tex1", 0), tex2 = builder.Float("tex2", 1);
     return Mixed(tex1, tex2, builder.Float("amount", 0.5f));
@@ -66,10 +76,7 @@ FloatTexture MixTexture::CreateFloat(TextureBuilder &builder) {
 
 SpectrumByRole MixTexture::CreateSpectrum(TextureBuilder &builder) {
     const SpectrumByRole tex1 = builder.Spectra("tex1", 0), tex2 = builder.Spectra("tex2", 1);
-    const FloatTexture amount = builder.Float("amount", 0.5f);
-    return ForEachRole(tex1, tex2, [&](const SpectrumTexture &a, const SpectrumTexture &b) {
-        return Mixed(a, b, amount);
-    });
+    return Mixed(tex1, tex2, builder.Float("amount", 0.5f));
 }
 
 }  // namespace pbrt

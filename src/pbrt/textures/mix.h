@@ -15,5 +15,8 @@ FloatTexture Mixed(const FloatTexture &tex1, const FloatTexture &tex2, const Flo
 /// Constant spectra of different form meet in a table at whole nm.
 SpectrumTexture Mixed(const SpectrumTexture &tex1, const SpectrumTexture &tex2,
                       const FloatTexture &amount);
+/// Role by role, where both exist.
+SpectrumByRole Mixed(const SpectrumByRole &tex1, const SpectrumByRole &tex2,
+                     const FloatTexture &amount);
 
 }  // namespace pbrt

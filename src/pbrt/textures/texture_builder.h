@@ -36,13 +36,4 @@ struct TextureClass {
     SpectrumByRole (*createSpectrum)(TextureBuilder &);
 };
 
-/// Makes role r's texture from role r's operands where all of them exist.
-template <typename Make>
-SpectrumByRole ForEachRole(const SpectrumByRole &a, const SpectrumByRole &b, Make make) {
-    SpectrumByRole made;
-    for (size_t i = 0; i < made.size(); ++i)
-        if (a[i] && b[i]) made[i] = make(*a[i], *b[i]);
-    return made;
-}
-
 }  // namespace pbrt
