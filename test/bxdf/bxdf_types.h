@@ -6,11 +6,12 @@
 #include "pbrt/bxdfs/conductor.h"
 #include "pbrt/bxdfs/dielectric.h"
 #include "pbrt/bxdfs/diffuse.h"
+#include "pbrt/bxdfs/hair.h"
 
 namespace pbrt::test {
 
 /// Every BxDF there is.
-using BxDFTypes = testing::Types<DiffuseBxDF, ConductorBxDF, DielectricBxDF>;
+using BxDFTypes = testing::Types<DiffuseBxDF, ConductorBxDF, DielectricBxDF, HairBxDF>;
 
 inline SampledSpectrum Spectral(float a, float b, float c, float d) {
     return SampledSpectrum(std::array<float, 4>{a, b, c, d});
@@ -51,6 +52,26 @@ inline std::vector<BxDFCase<DielectricBxDF>> CasesOf() {
             {"index 4", DielectricBxDF(4, 0.1f, 0.2f), 4},
             {"nearly smooth", DielectricBxDF(1.5f, 0.0011f, 0), 1.5f, true, 0.1f},
             {"very rough", DielectricBxDF(1.5f, 3, 30), 1.5f}};
+}
+
+template <>
+inline std::vector<BxDFCase<HairBxDF>> CasesOf() {
+    // Attenuation is a function of wo alone, so the model is not reciprocal.
+    const auto hair = [](const char *name, float h, float beta_m, float beta_n, float alpha,
+                         SampledSpectrum sigma_a, float tolerance = 1e-3f) {
+        return BxDFCase<HairBxDF>{name, HairBxDF(h, 1.55f, sigma_a, beta_m, beta_n, alpha), 1,
+                                  false, tolerance};
+    };
+    const SampledSpectrum none(0), brown = Spectral(0.4f, 0.7f, 1.4f, 0.1f);
+    return {hair("default", 0.3f, 0.3f, 0.3f, 2, brown),
+            hair("off centre", -0.9f, 0.25f, 0.15f, 2, brown),
+            hair("rough", 0.1f, 0.9f, 0.8f, -4, none),
+            hair("roughest", 0, 1, 1, 0, none),
+            hair("sharpest", 0.5f, 0.01f, 0.01f, 2, brown, 0.05f),
+            hair("sharp around", 0.2f, 0.5f, 0.01f, 2, none, 0.05f),
+            hair("sharp along", 0.7f, 0.01f, 0.6f, 10, none, 0.05f),
+            hair("black", 0.4f, 0.3f, 0.3f, 2, SampledSpectrum(1e6f)),
+            hair("edge", 1, 0.2f, 0.3f, 2, brown)};
 }
 
 }  // namespace pbrt::test

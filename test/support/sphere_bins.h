@@ -17,10 +17,10 @@ struct SphereBins {
     static constexpr int kRows = 80, kColumns = 160, kCount = kRows * kColumns;
 
     static int IndexOf(Vector3f w) {
-        const double theta = std::atan2(std::hypot(double(w.x), double(w.y)), double(w.z));
-        const double phi = std::atan2(double(w.y), double(w.x));
-        const int row = std::min(kRows - 1, int(theta / M_PI * kRows));
-        const int column = int((phi / (2 * M_PI) + 1) * kColumns) % kColumns;
+        const float theta = std::atan2(std::sqrt(w.x * w.x + w.y * w.y), w.z);
+        const float phi = std::atan2(w.y, w.x);
+        const int row = std::min(kRows - 1, int(theta * InvPi * kRows));
+        const int column = int((phi * InvPi / 2 + 1) * kColumns) % kColumns;
         return row * kColumns + column;
     }
     /// The integral of a density per unit solid angle over each bin; `tolerance` for each.
