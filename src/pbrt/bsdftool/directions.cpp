@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
+#include <array>
 #include <cmath>
+#include <numbers>
+#include <optional>
 
+#include "pbrt/bsdftool/csv.h"
 #include "pbrt/util/atomic_file.h"
 
 namespace pbrt::bsdftool {
@@ -12,40 +15,32 @@ namespace {
 
 constexpr std::string_view kHeader = "wo_x,wo_y,wo_z,wi_x,wi_y,wi_z";
 
-std::string_view Trimmed(std::string_view s) {
-    while (!s.empty() && (s.back() == ' ' || s.back() == '\r' || s.back() == '\t'))
-        s.remove_suffix(1);
-    while (!s.empty() && (s.front() == ' ' || s.front() == '\t')) s.remove_prefix(1);
-    return s;
-}
-
-std::vector<std::string_view> Split(std::string_view s, char separator) {
-    std::vector<std::string_view> parts;
-    while (true) {
-        const size_t end = s.find(separator);
-        parts.push_back(Trimmed(s.substr(0, end)));
-        if (end == std::string_view::npos) return parts;
-        s.remove_prefix(end + 1);
-    }
-}
-
-bool ReadNumber(std::string_view s, double *value) {
-    if (!s.empty() && s.front() == '+') s.remove_prefix(1);
-    const auto [end, error] = std::from_chars(s.data(), s.data() + s.size(), *value);
-    return error == std::errc() && end == s.data() + s.size();
-}
-
-/// False, with a reason, where v has no direction.
-bool Normalise(double *v, std::string_view name, const FileLoc &loc, Diagnostics &log) {
-    const double length = std::hypot(v[0], v[1], v[2]);
-    if (!std::isfinite(length) || length == 0) {
+/// nullopt, with a reason in the log, where v has no direction.
+std::optional<LocalDirection> Normalized(const double *v, std::string_view name, const FileLoc &loc,
+                                         Diagnostics &log) {
+    // Scaled first: hypot would be infinite beyond 1e308, and inaccurate below 1e-308.
+    const double largest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+    if (!std::isfinite(v[0] + v[1] + v[2]) || largest == 0) {
         log.Error(loc, fmt::format("{} = ({:g}, {:g}, {:g}) is no direction: it must be finite and "
                                    "not 0",
                                    name, v[0], v[1], v[2]));
-        return false;
+        return {};
     }
-    for (int i = 0; i < 3; ++i) v[i] /= length;
-    return true;
+    const double x = v[0] / largest, y = v[1] / largest, z = v[2] / largest;
+    const double length = std::hypot(x, y, z);
+    return LocalDirection{x / length, y / length, z / length};
+}
+
+std::optional<std::array<double, 6>> SixNumbers(std::string_view line) {
+    const std::vector<std::string_view> cells = SplitCells(line, ',');
+    if (cells.size() != 6) return {};
+    std::array<double, 6> values;
+    for (size_t k = 0; k < 6; ++k) {
+        const std::optional<double> value = ReadNumber(cells[k]);
+        if (!value) return {};
+        values[k] = *value;
+    }
+    return values;
 }
 
 }  // namespace
@@ -57,7 +52,7 @@ std::vector<DirectionPair> ReadDirections(const std::string &fileName, Diagnosti
         return {};
     }
     std::vector<DirectionPair> pairs;
-    const std::vector<std::string_view> lines = Split(*file.bytes, '\n');
+    const std::vector<std::string_view> lines = SplitCells(*file.bytes, '\n');
     if (lines[0] != kHeader) {
         log.Error({fileName, 1, 1}, fmt::format("expected the header \"{}\"", kHeader));
         return {};
@@ -65,33 +60,21 @@ std::vector<DirectionPair> ReadDirections(const std::string &fileName, Diagnosti
     for (size_t i = 1; i < lines.size(); ++i) {
         if (lines[i].empty()) continue;
         const FileLoc loc{fileName, int(i) + 1, 1};
-        const std::vector<std::string_view> cells = Split(lines[i], ',');
-        double v[6] = {};
-        bool numbers = cells.size() == 6;
-        for (size_t k = 0; k < 6 && numbers; ++k) numbers = ReadNumber(cells[k], &v[k]);
-        if (!numbers) {
+        const auto values = SixNumbers(lines[i]);
+        if (!values) {
             log.Error(loc, fmt::format("expected six numbers, found \"{}\"", lines[i]));
             continue;
         }
-        if (!Normalise(v, "wo", loc, log) || !Normalise(v + 3, "wi", loc, log)) continue;
-        pairs.push_back({{v[0], v[1], v[2]}, {v[3], v[4], v[5]}});
+        const auto wo = Normalized(values->data(), "wo", loc, log);
+        const auto wi = Normalized(values->data() + 3, "wi", loc, log);
+        if (wo && wi) pairs.push_back({*wo, *wi});
     }
     return pairs;
 }
 
-std::vector<float> ReadNumbers(std::string_view text, std::string_view what, float lo, float hi,
-                               Diagnostics &log) {
-    std::vector<float> numbers;
-    for (std::string_view cell : Split(text, ',')) {
-        double value = 0;
-        if (!ReadNumber(cell, &value))
-            log.Error({}, fmt::format("{}: \"{}\" is not a number", what, cell));
-        else if (!(value >= lo && value <= hi))
-            log.Error({}, fmt::format("{}: {:g} is outside [{:g}, {:g}]", what, value, lo, hi));
-        else
-            numbers.push_back(float(value));
-    }
-    return numbers;
+LocalDirection Spherical(double theta, double phi) {
+    const double t = theta * std::numbers::pi / 180, p = phi * std::numbers::pi / 180;
+    return {std::sin(t) * std::cos(p), std::sin(t) * std::sin(p), std::cos(t)};
 }
 
 }  // namespace pbrt::bsdftool

@@ -1,103 +1,114 @@
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
-#include "pbrt/bsdftool/commands.h"
-#include "pbrt/util/rng.h"
+#include "pbrt/bsdftool/command_line.h"
+#include "pbrt/bsdftool/energy.h"
 
 namespace pbrt::bsdftool {
 namespace {
 
-/// Running mean and its standard error.
-struct Mean {
-    double sum = 0, sumSqr = 0;
-    void Add(double v) { sum += v, sumSqr += v * v; }
-    double Value(int n) const { return sum / n; }
-    double Error(int n) const {
-        return std::sqrt(std::max(0.0, sumSqr / n - Value(n) * Value(n)) / (n - 1));
-    }
+constexpr int kWavelengths = 48;
+
+struct Options {
+    CommonOptions common;
+    std::string thetas = "0,15,30,45,60,75,85", phis = "0,90,180", csv;
+    int samples = 4096;
 };
 
-struct Sums {
-    Mean reflected, transmitted, R, TRT, gap;
-};
-
-template <typename B>
-void AddSample(const B &bsdf, Vector3f wo, float uc, Point2f u, Sums &sums) {
-    const auto s = bsdf.Sample_f(wo, uc, u, TransportMode::Radiance);
-    const bool gap = s && Has(s->flags, BxDFFlags::Gap);
-    const double weight = s ? s->f.Average() * std::abs(s->wi.z) / s->pdf : 0;
-    const bool back = s && SameHemisphere(wo, s->wi);
-    sums.reflected.Add(back ? weight : 0);
-    sums.transmitted.Add(s && !back && !gap ? weight : 0);
-    sums.gap.Add(gap ? weight : 0);
-    if constexpr (requires { bsdf.Parts(wo, wo); }) {
-        double r = 0, trt = 0;
-        if (s && !gap) {
-            const auto parts = bsdf.Parts(wo, s->wi);
-            for (int i = 0; i < NSpectrumSamples; ++i) {
-                const double scale = std::abs(s->wi.z) / s->pdf / NSpectrumSamples;
-                r += parts.R[i] * scale;
-                trt += parts.TRT[i] * scale;
-            }
-        }
-        sums.R.Add(r);
-        sums.TRT.Add(trt);
-    }
+std::optional<Outcome> ParseOptions(Args args, Options *o) {
+    CLI::App app(
+        "What becomes of light of one direction that falls on a material, as shares of it, means "
+        "over wavelengths of equal energy: scattered to its own side and to the other, of this R "
+        "and TRT, straight through (T), and absorbed, which is the rest. (featherbarbule leaves "
+        "light out that meets a second barbule; it counts as absorbed.)",
+        "bsdftool furnace");
+    AddMaterial(&app, &o->common);
+    app.add_option("--thetas", o->thetas, "angles to the normal, degrees; beyond 90: from below");
+    app.add_option("--phis", o->phis,
+                   "azimuths from x (across barbules) towards y (along them), degrees");
+    app.add_option("--samples", o->samples, "directions drawn per row and four wavelengths")
+        ->check(CLI::Range(16, 1 << 24));
+    app.add_option("--csv", o->csv, "file for the same table as CSV");
+    return cli::Parse(&app, args);
 }
 
-FurnaceRow RowFor(const Material &material, float theta, float phi, int samples) {
-    const float t = Radians(theta), p = Radians(phi);
-    const Vector3f wo{std::sin(t) * std::cos(p), std::sin(t) * std::sin(p), std::cos(t)};
-    TextureEvalContext ctx;
-    ctx.uv = {0.5f, 0.5f};
-    Rng rng(1);
-    Sums sums;
-    std::visit(
-        [&](const auto &m) {
-            for (int i = 0; i < samples; ++i) {
-                SampledWavelengths lambda =
-                    SampledWavelengths::SampleUniform((i + rng.Uniform()) / samples);
-                const auto bsdf = m.GetBxDF(ctx, lambda);
-                const float uc = rng.Uniform();
-                const Point2f u = rng.Uniform2D();
-                AddSample(bsdf, wo, uc, u, sums);
-            }
-        },
-        material);
-    FurnaceRow row{theta, phi};
-    row.reflected = sums.reflected.Value(samples);
-    row.transmitted = sums.transmitted.Value(samples);
-    row.R = sums.R.Value(samples);
-    row.TRT = sums.TRT.Value(samples);
-    row.gap = sums.gap.Value(samples);
-    row.absorbed = 1 - row.reflected - row.transmitted - row.gap;
-    for (const Mean *m : {&sums.reflected, &sums.transmitted, &sums.gap})
-        row.error = std::max(row.error, m->Error(samples));
-    return row;
+struct Row {
+    float theta, phi;
+    Energy energy;
+};
+
+struct Column {
+    std::string_view name;
+    double (*value)(const Energy &e);
+};
+
+constexpr Column kReflected{"reflected", [](const Energy &e) { return Energy::Mean(e.reflected); }};
+constexpr Column kTransmitted{"transmitted",
+                              [](const Energy &e) { return Energy::Mean(e.transmitted); }};
+constexpr Column kR{"R", [](const Energy &e) { return Energy::Mean(e.R); }};
+constexpr Column kTRT{"TRT", [](const Energy &e) { return Energy::Mean(e.TRT); }};
+constexpr Column kT{"T", [](const Energy &e) { return e.gap; }};
+constexpr Column kAbsorbed{"absorbed", [](const Energy &e) { return e.Absorbed(); }};
+constexpr Column kError{"+-", [](const Energy &e) { return e.error; }};
+
+std::vector<Column> ColumnsFor(const Material &material) {
+    if (std::holds_alternative<FeatherBarbuleMaterial>(material))
+        return {kReflected, kTransmitted, kR, kTRT, kT, kAbsorbed, kError};
+    return {kReflected, kTransmitted, kAbsorbed, kError};
+}
+
+std::string Table(const std::vector<Column> &columns, const std::vector<Row> &rows) {
+    std::string table = fmt::format("{:>6} {:>6}", "theta", "phi");
+    for (const Column &c : columns)
+        table += fmt::format(" {:>11}", c.name);
+    table += '\n';
+    for (const Row &row : rows) {
+        table += fmt::format("{:6g} {:6g}", row.theta, row.phi);
+        for (const Column &c : columns)
+            table += fmt::format(" {:11.5f}", c.value(row.energy));
+        table += '\n';
+    }
+    return table;
+}
+
+std::string Csv(const std::vector<Column> &columns, const std::vector<Row> &rows) {
+    std::string csv = "theta,phi";
+    for (const Column &c : columns)
+        csv += fmt::format(",{}", c.name == kError.name ? "error" : c.name);
+    csv += '\n';
+    for (const Row &row : rows) {
+        csv += fmt::format("{:g},{:g}", row.theta, row.phi);
+        for (const Column &c : columns)
+            csv += fmt::format(",{:.9g}", c.value(row.energy));
+        csv += '\n';
+    }
+    return csv;
 }
 
 }  // namespace
 
-std::vector<FurnaceRow> Furnace(const Material &material, const std::vector<float> &thetas,
-                                const std::vector<float> &phis, int samples) {
-    std::vector<FurnaceRow> rows;
-    for (float theta : thetas)
-        for (float phi : phis) rows.push_back(RowFor(material, theta, phi, samples));
-    return rows;
-}
+Outcome RunFurnace(Args args) {
+    Options o;
+    if (auto end = ParseOptions(args, &o)) return *end;
+    Diagnostics log;
+    const auto source = ReadMaterial(o.common, log);
+    const std::vector<float> thetas = ReadNumbers(o.thetas, "--thetas", 0, 180, log);
+    const std::vector<float> phis = ReadNumbers(o.phis, "--phis", -360, 360, log);
+    CheckWritable(o.csv, log);
+    if (log.HasErrors()) return Finish(log);
 
-std::string FurnaceTable(const Material &material, const std::vector<FurnaceRow> &rows) {
-    const bool feather = std::holds_alternative<FeatherBarbuleMaterial>(material);
-    std::string table = fmt::format("{:>6} {:>6} {:>10} {:>11}", "theta", "phi", "reflected",
-                                    "transmitted");
-    if (feather) table += fmt::format(" {:>8} {:>8} {:>8}", "R", "TRT", "T");
-    table += fmt::format(" {:>9} {:>9}\n", "absorbed", "+-");
-    for (const FurnaceRow &r : rows) {
-        table += fmt::format("{:6g} {:6g} {:10.5f} {:11.5f}", r.theta, r.phi, r.reflected,
-                             r.transmitted);
-        if (feather) table += fmt::format(" {:8.5f} {:8.5f} {:8.5f}", r.R, r.TRT, r.gap);
-        table += fmt::format(" {:9.5f} {:9.5f}\n", r.absorbed, r.error);
-    }
-    return table;
+    std::vector<Row> rows;
+    for (float theta : thetas)
+        for (float phi : phis)
+            rows.push_back({theta, phi, {}});
+    const std::vector<float> lambda = MiddleWavelengths(kWavelengths);
+    tbb::parallel_for(size_t(0), rows.size(), [&](size_t i) {
+        const LocalDirection w = Spherical(rows[i].theta, rows[i].phi);
+        rows[i].energy = EnergyFrom(source->material, w, lambda, o.samples);
+    });
+    const std::vector<Column> columns = ColumnsFor(source->material);
+    WriteText(o.csv, Csv(columns, rows), log);
+    return Finish(log, Table(columns, rows));
 }
 
 }  // namespace pbrt::bsdftool

@@ -2,48 +2,97 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+
+#include "pbrt/scene/parser.h"
+#include "pbrt/textures/texture.h"
 
 namespace pbrt::bsdftool {
 namespace {
 
-/// The earliest of the scene's materials, named or not.
-const Entity *FirstMaterial(const Description &scene) {
-    const Entity *first = scene.materials.empty() ? nullptr : &scene.materials.front();
-    if (scene.namedMaterials.empty()) return first;
-    const Entity *named = &scene.namedMaterials.front();
-    const auto place = [](const Entity *e) { return std::pair(e->loc.line, e->loc.column); };
-    return !first || place(named) < place(first) ? named : first;
+struct Candidate {
+    const Entity *entity;
+    std::string_view name;  ///< empty for those of `Material`
+};
+
+/// The scene's materials in the order of their lines (of one file; each file's by themselves).
+std::vector<Candidate> MaterialsOf(const Description &scene) {
+    std::vector<Candidate> all;
+    for (const NamedMaterialEntity &e : scene.namedMaterials)
+        all.push_back({&e, e.name});
+    for (const Entity &e : scene.materials)
+        all.push_back({&e, {}});
+    const auto file = [&](const Candidate &c) {
+        return std::find(scene.fileNames.begin(), scene.fileNames.end(), c.entity->loc.file) -
+               scene.fileNames.begin();
+    };
+    std::stable_sort(all.begin(), all.end(), [&](const Candidate &a, const Candidate &b) {
+        const FileLoc &la = a.entity->loc, &lb = b.entity->loc;
+        return std::tuple(file(a), la.line, la.column) < std::tuple(file(b), lb.line, lb.column);
+    });
+    return all;
 }
 
-}  // namespace
+/// Text has blanks or quotes, or it could be no directive; everything else is meant as a file.
+bool IsFileName(const std::string &source) {
+    return std::filesystem::is_regular_file(source) ||
+           source.find_first_of(" \t\n\"") == std::string::npos;
+}
 
-std::optional<MaterialSource> ReadMaterial(const std::string &source, Diagnostics &log) {
-    Description scene;
-    if (std::filesystem::is_regular_file(source))
+void ReadScene(const std::string &source, Description &scene, Diagnostics &log) {
+    if (IsFileName(source)) {
         ParseFiles({source}, scene, log);
-    else
-        ParseString("WorldBegin " + source, "<material>", ".", scene, log);
-    if (log.HasErrors()) return {};
-    const Entity *entity = FirstMaterial(scene);
-    if (!entity) {
+        return;
+    }
+    Parser parser(&scene, &log);
+    parser.ReadText("WorldBegin", "<world>", ".");  // by itself, so that columns are the user's
+    parser.ReadText(source, "<material>", ".");
+    parser.Finish();
+}
+
+std::optional<Candidate> Choose(const std::vector<Candidate> &all, const std::string &source,
+                                const std::string &pick, Diagnostics &log) {
+    if (all.empty()) {
         log.Error({}, fmt::format("no material in \"{}\": give a directive such as 'Material "
                                   "\"featherbarbule\"', or a scene file",
                                   source));
         return {};
     }
-    const NamedTextures textures = BuildTextures(scene, Transform(), log);
-    ParamDict params(entity->params, entity->loc, fmt::format("material \"{}\"", entity->type),
-                     entity->colorSpace, &log, scene.dir);
-    if (entity != (scene.materials.empty() ? nullptr : &scene.materials.front()))
-        params.GetOneString("type", "");  // of MakeNamedMaterial
-    if (entity->type == InterfaceMaterial::kName) {
-        log.Error(entity->loc, "an interface scatters nothing");
+    if (pick.empty()) return all.front();
+    std::vector<std::string_view> known;
+    for (const Candidate &c : all) {
+        if (c.name == pick || c.entity->type == pick) return c;
+        known.push_back(c.name.empty() ? std::string_view(c.entity->type) : c.name);
+    }
+    std::sort(known.begin(), known.end());
+    known.erase(std::unique(known.begin(), known.end()), known.end());
+    log.Error({}, UnknownName("material", pick, known));
+    return {};
+}
+
+}  // namespace
+
+std::optional<MaterialSource> ReadMaterial(const std::string &source, const std::string &pick,
+                                           Diagnostics &log) {
+    const int before = log.ErrorCount();
+    Description scene;
+    ReadScene(source, scene, log);
+    if (log.ErrorCount() > before) return {};
+    const auto chosen = Choose(MaterialsOf(scene), source, pick, log);
+    if (!chosen) return {};
+    const Entity &entity = *chosen->entity;
+    if (entity.type == InterfaceMaterial::kName) {
+        log.Error(entity.loc, "an interface scatters nothing");
         return {};
     }
-    std::optional<Material> material = CreateMaterial(entity->type, params, textures);
-    if (!material || log.HasErrors()) return {};
-    return MaterialSource{entity->type, std::move(*material)};
+    const NamedTextures textures = BuildTextures(scene, Transform(), log);
+    ParamDict params(entity.params, entity.loc, fmt::format("material \"{}\"", entity.type),
+                     entity.colorSpace, &log, scene.dir);
+    if (!chosen->name.empty()) params.GetOneString("type", "");  // of MakeNamedMaterial
+    std::optional<Material> material = CreateMaterial(entity.type, params, textures);
+    if (!material || log.ErrorCount() > before) return {};
+    return MaterialSource{entity.type, std::move(*material)};
 }
 
 }  // namespace pbrt::bsdftool

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "pbrt/materials/material.h"
-#include "pbrt/textures/texture.h"
 
 namespace pbrt::bsdftool {
 
@@ -14,8 +13,16 @@ struct MaterialSource {
     Material material;
 };
 
-/// `source` is pbrt text (`Material "diffuse"`) or the name of a scene file, whose first material
-/// is taken. Mistakes go to the log.
-std::optional<MaterialSource> ReadMaterial(const std::string &source, Diagnostics &log);
+/// `source` is pbrt text (`Material "diffuse"`) or the name of a scene file; its first material is
+/// taken, or where `pick` is not empty the first of that name or type. Mistakes go to the log.
+std::optional<MaterialSource> ReadMaterial(const std::string &source, const std::string &pick,
+                                           Diagnostics &log);
+
+/// Where textures are looked up: at the middle of [0, 1]^2.
+inline TextureEvalContext MiddleOfTexture() {
+    TextureEvalContext ctx;
+    ctx.uv = {0.5f, 0.5f};
+    return ctx;
+}
 
 }  // namespace pbrt::bsdftool

@@ -27,11 +27,10 @@ class FeatherBarbuleMaterial {
     Frame TurnFrame(const Frame &frame, const TextureEvalContext &ctx) const;
     /// Share of light from direction w (local, of the turned frame) that passes straight through.
     float GapFraction(const TextureEvalContext &ctx, Vector3f w) const;
-    /// The double-precision twin of GetBxDF's model at these wavelengths (nm): the oracle of tests
-    /// and tools. `Quadrature` as in feather::Barbule.
-    template <typename Model>
-    Model Oracle(const TextureEvalContext &ctx,
-                 const std::array<float, NSpectrumSamples> &nanometres) const;
+    /// The model itself at these wavelengths (nm), in any scalar and with any quadrature: what tests
+    /// and tools judge GetBxDF by. `Model` is a feather::Barbule of N wavelengths.
+    template <typename Model, std::size_t N>
+    Model ModelAt(const TextureEvalContext &ctx, const std::array<float, N> &nanometres) const;
     /// A sentence where texture values had to be clamped; else empty.
     std::string Remarks() const;
 
@@ -50,17 +49,18 @@ class FeatherBarbuleMaterial {
     std::shared_ptr<ClampCounts> clamped = std::make_shared<ClampCounts>();
 };
 
-template <typename Model>
-Model FeatherBarbuleMaterial::Oracle(
-    const TextureEvalContext &ctx, const std::array<float, NSpectrumSamples> &nanometres) const {
+template <typename Model, std::size_t N>
+Model FeatherBarbuleMaterial::ModelAt(const TextureEvalContext &ctx,
+                                      const std::array<float, N> &nanometres) const {
+    using T = typename Model::Spectrum::value_type;
     const feather::BarbuleParams<float> p = Params(ctx);
-    feather::Optics<double, NSpectrumSamples> optics;
-    const SampledSpectrum reflectance =
-        melanin.Evaluate(ctx, SampledWavelengths::Of(nanometres));
-    for (int i = 0; i < NSpectrumSamples; ++i) {
-        optics.lambda[i] = nanometres[i];
-        optics.eta[i] = std::max(1.f, eta(nanometres[i]));
-        optics.melanin[i] = std::clamp(reflectance[i], 0.f, 1.f);
+    feather::Optics<T, int(N)> optics;
+    for (std::size_t i = 0; i < N; ++i) {
+        const float lambda = nanometres[i];
+        const auto alone = SampledWavelengths::Of({lambda, lambda, lambda, lambda});
+        optics.lambda[i] = lambda;
+        optics.eta[i] = std::max(1.f, eta(lambda));
+        optics.melanin[i] = std::clamp(melanin.Evaluate(ctx, alone)[0], 0.f, 1.f);
     }
     return Model({{p.thickness.value}, p.spacing, {p.tilt.value}, p.aspect, {p.opening.value}},
                  optics);

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "pbrt/bsdftool/directions.h"
+#include "pbrt/materials/material.h"
+
+namespace pbrt::bsdftool {
+
+/// What becomes of light of one direction, as shares of it per wavelength.
+struct Energy {
+    std::vector<double> reflected, transmitted;  ///< scattered to its own side, and to the other
+    std::vector<double> R, TRT;                  ///< featherbarbule only: parts of the two above
+    double gap = 0;                              ///< straight through
+    double error = 0;  ///< standard error of the mean over wavelengths of `reflected`
+
+    /// Means over the wavelengths.
+    static double Mean(const std::vector<double> &shares);
+    /// What is neither scattered nor passed, on average over the wavelengths. For featherbarbule
+    /// this holds what is hit a second time, which the model leaves out.
+    double Absorbed() const { return 1 - Mean(reflected) - Mean(transmitted) - gap; }
+};
+
+/// By sampling the BSDF, `samples` at least 16 per four wavelengths, the same numbers for all
+/// (a rank-1 lattice, eight times with random shifts of a fixed seed). wo on either side.
+Energy EnergyFrom(const Material &material, const LocalDirection &wo,
+                  const std::vector<float> &lambda, int samples);
+
+/// One after another at equal distances, the middles of `count` parts of [LambdaMin, LambdaMax].
+std::vector<float> MiddleWavelengths(int count);
+
+}  // namespace pbrt::bsdftool

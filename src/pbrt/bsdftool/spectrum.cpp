@@ -1,0 +1,55 @@
+#include "pbrt/bsdftool/command_line.h"
+#include "pbrt/bsdftool/reflectance.h"
+
+namespace pbrt::bsdftool {
+namespace {
+
+struct Options {
+    CommonOptions common;
+    std::string thetas = "0,5,10,15,20,25,30,35,40,45,50,55,60,65,70,75,80,85", csv, png;
+    ReflectanceOptions reflectance;
+};
+
+std::optional<Outcome> ParseOptions(Args args, Options *o) {
+    CLI::App app(
+        "Reflectance of a material (what it scatters back to the side that the light comes from) "
+        "against wavelength and angle of incidence, and the colours this makes.",
+        "bsdftool spectrum");
+    AddMaterial(&app, &o->common);
+    app.add_option("--thetas", o->thetas,
+                   "angles to the normal in degrees, [-90, 90] (default: 0 to 85 by 5)");
+    app.add_option("--phi", o->reflectance.phi,
+                   "azimuth from x (across barbules) towards y (along them), degrees (default: 0)")
+        ->check(CLI::Range(-360, 360));
+    app.add_option("--step", o->reflectance.step, "between wavelengths, nm (default: 2)")
+        ->check(CLI::Range(0.1, 50.0));
+    app.add_option("--samples", o->reflectance.samples,
+                   "directions drawn per angle and four wavelengths (default: 2048)")
+        ->check(CLI::Range(16, 1 << 24));
+    AddIlluminant(&app, &o->common);
+    app.add_option("--csv", o->csv, "file for theta,phi,lambda,reflectance and parts");
+    app.add_option("--png", o->png, "file for a plot: curves, and a strip of colours");
+    return cli::Parse(&app, args);
+}
+
+}  // namespace
+
+Outcome RunSpectrum(Args args) {
+    Options o;
+    if (auto end = ParseOptions(args, &o)) return *end;
+    Diagnostics log;
+    const auto source = ReadMaterial(o.common, log);
+    const Spectrum illuminant = ReadIlluminant(o.common, log);
+    o.reflectance.thetas = ReadNumbers(o.thetas, "--thetas", -90, 90, log);
+    CheckWritable(o.csv, log);
+    CheckWritable(o.png, log);
+    if (log.HasErrors()) return Finish(log);
+    const ReflectanceTable table =
+        TabulateReflectance(source->material, o.reflectance, illuminant);
+    WriteText(o.csv, ReflectanceCsv(table), log);
+    if (!o.png.empty())
+        WriteText(o.png, ReflectanceChart(table, o.common.material, o.common.illuminant), log);
+    return Finish(log, ColorTable(table));
+}
+
+}  // namespace pbrt::bsdftool

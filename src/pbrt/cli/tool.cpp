@@ -1,0 +1,75 @@
+#include "pbrt/cli/tool.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <vector>
+
+#include "pbrt/util/args.h"
+#include "pbrt/util/diagnostics.h"
+
+namespace pbrt::cli {
+namespace {
+
+std::string Manual(const Tool &tool) {
+    std::string text = fmt::format("usage: {} {}\n\n", tool.name, tool.usage);
+    for (const Command &command : tool.commands)
+        text += fmt::format("  {:<14}{}\n", command.name, command.summary);
+    return text +
+           fmt::format("\n\"{} help <command>\" lists the options of a command.\n", tool.name);
+}
+
+Outcome UnknownCommand(const Tool &tool, std::string_view name) {
+    std::vector<std::string_view> names;
+    for (const Command &command : tool.commands)
+        names.push_back(command.name);
+    return Failure(tool.name, fmt::format("unknown command \"{}\"{}\nexpected {}", name,
+                                          DidYouMean(name, names), QuotedList(names)));
+}
+
+}  // namespace
+
+Outcome Run(const Tool &tool, Args args) {
+    const bool wantsHelp = args.empty() || args[0] == "help" || args[0] == "--help" ||
+                           args[0] == "-help" || args[0] == "-h";
+    if (wantsHelp && args.size() < 2) return {0, Manual(tool), {}};
+    const std::string &name = args[wantsHelp ? 1 : 0];
+    const auto command = std::find_if(tool.commands.begin(), tool.commands.end(),
+                                      [&](const Command &c) { return c.name == name; });
+    if (command == tool.commands.end()) return UnknownCommand(tool, name);
+    const std::string help[] = {"--help"};
+    return command->run(wantsHelp ? Args(help) : args.subspan(1));
+}
+
+Outcome Failure(std::string_view tool, std::string_view reason) {
+    return {1, {}, fmt::format("{}: {}\n", tool, reason)};
+}
+
+std::optional<Outcome> Parse(CLI::App *app, Args args) {
+    NormalizedArgs normalized = NormalizeArgs(args, ArgOptionsOf(*app));
+    const auto mistake = [&](std::string_view text) {
+        return Outcome{1,
+                       {},
+                       fmt::format("{}: {}\n(\"{} --help\" lists the options)\n", app->get_name(),
+                                   text, app->get_name())};
+    };
+    if (!normalized.error.empty()) return mistake(normalized.error);
+    std::reverse(normalized.args.begin(), normalized.args.end());  // CLI11 takes them from the back
+    try {
+        app->parse(normalized.args);
+    } catch (const CLI::CallForHelp &) {
+        return Outcome{0, app->help(), {}};
+    } catch (const CLI::ParseError &e) {
+        return mistake(e.what());
+    }
+    return {};
+}
+
+int Print(const Outcome &outcome) {
+    std::fputs(outcome.out.c_str(), stdout);
+    std::fputs(outcome.err.c_str(), stderr);
+    return outcome.exitCode;
+}
+
+}  // namespace pbrt::cli

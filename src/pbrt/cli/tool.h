@@ -1,0 +1,46 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+// Programs made of sub-commands. Nothing is printed here: a run returns what to print, so that
+// tests call what users call.
+namespace pbrt::cli {
+
+using Args = std::span<const std::string>;
+
+/// What a command prints and how the process ends.
+struct Outcome {
+    int exitCode = 0;
+    std::string out, err;
+};
+
+struct Command {
+    std::string_view name, summary;
+    Outcome (*run)(Args args);  ///< `args` without the command's name
+};
+
+struct Tool {
+    std::string_view name;
+    std::string_view usage;             ///< after the program's name, e.g. "<command> files..."
+    std::span<const Command> commands;  ///< in alphabetical order
+};
+
+/// The tool as a whole: `args` without the program's name. No arguments, `help` or `help
+/// <command>`: the manual. An unknown command is an error with the nearest name.
+Outcome Run(const Tool &tool, Args args);
+
+/// The user's mistake: "<tool>: reason" and exit code 1.
+Outcome Failure(std::string_view tool, std::string_view reason);
+
+/// Fills the variables bound to `app`'s options, spelled as pbrt allows. Something is returned
+/// where the command ends here: help, or a mistake.
+std::optional<Outcome> Parse(CLI::App *app, Args args);
+
+/// Prints it; the result is main's.
+int Print(const Outcome &outcome);
+
+}  // namespace pbrt::cli
