@@ -32,7 +32,7 @@ Transform Squeezed() {
 
 ImageInfiniteLight Lit(const Image &image, const Transform &t = Turned()) {
     ImageInfiniteLight light = ImageInfiniteLight::FromImage(image, kSpace, 1, t);
-    light.Preprocess({}, 10);
+    light.Preprocess(10);
     return light;
 }
 float Luminance(const SampledSpectrum &L, const Spectrum &illuminant,

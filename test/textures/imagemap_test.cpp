@@ -104,6 +104,7 @@ TEST_F(ImageTextures, ShareOnePicture) {
                          folder.string());
     EXPECT_EQ(s.Messages(), "");
     EXPECT_EQ(s.named.images.size(), 1u);
+    EXPECT_FALSE(s.named.readFootprints);
 }
 
 TEST_F(ImageTextures, PassTheFootprintOn) {
@@ -114,6 +115,7 @@ TEST_F(ImageTextures, PassTheFootprintOn) {
         Texture "t" "float" "imagemap" "string filename" "a.exr" "string filter" "trilinear"
     )",
                          folder.string());
+    EXPECT_TRUE(s.named.readFootprints);
     TextureEvalContext ctx = AtUV(0.1f, 0.1f);
     EXPECT_EQ(s.Float("t").Evaluate(ctx), 0);
     ctx.dudx = ctx.dvdy = 1;

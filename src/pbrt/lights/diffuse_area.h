@@ -21,7 +21,7 @@ struct DiffuseAreaLight {
         bool twoSided;
         FloatTexture alpha;
         std::optional<Rectangle> rectangle;  ///< of a shape that is just that: sampled faster
-        bool invisible;                      ///< alpha is 0 everywhere: light samples reach it, rays do not
+        bool invisible;  ///< alpha is 0 everywhere: light samples reach it, rays do not
     };
     /// One light per primitive of `shape`, which must outlive them. As in pbrt-v4 `power` is what
     /// each primitive emits.

@@ -12,7 +12,7 @@ struct DistantLight {
     static constexpr std::string_view kName = "distant";
     static DistantLight Create(ParamDict &params, const Transform &renderFromLight);
 
-    void Preprocess(Point3f, float radius) { sceneRadius = radius; }
+    void Preprocess(float radius) { sceneRadius = radius; }
     std::optional<LightLiSample> SampleLi(const LightSampleContext &ctx, Point2f,
                                           const SampledWavelengths &lambda) const {
         if (scale == 0) return std::nullopt;

@@ -27,7 +27,7 @@ struct ImageInfiniteLight {
     /// CIE Y that reaches an upward-facing (+z in light space) patch at scale 1.
     static float Illuminance(const Image &image, const RGBColorSpace &colorSpace);
 
-    void Preprocess(Point3f, float radius) { sceneRadius = radius; }
+    void Preprocess(float radius) { sceneRadius = radius; }
     std::optional<LightLiSample> SampleLi(const LightSampleContext &ctx, Point2f u,
                                           const SampledWavelengths &lambda) const {
         const PiecewiseConstant2D::Sample s = sky->directions.Draw(u);

@@ -30,7 +30,6 @@ std::optional<std::variant<UniformInfiniteLight, ImageInfiniteLight>> CreateInfi
     ParamDict &params, const Transform &renderFromLight) {
     const std::string file = params.GetFileName("filename");
     const EmissionScale scale = GetScale(params, "illuminance", "lx");
-    const bool hasL = params.GetOneSpectrum("L", SpectrumType::Illuminant).has_value();
     if (file.empty()) {
         const Emission emission = GetEmission(params, "L");
         UniformInfiniteLight light;
@@ -40,7 +39,7 @@ std::optional<std::variant<UniformInfiniteLight, ImageInfiniteLight>> CreateInfi
         light.scale = scale.For(Pi);
         return light;
     }
-    if (hasL)
+    if (params.GetOneSpectrum("L", SpectrumType::Illuminant))
         params.Error("L", "both \"L\" and \"filename\" are given; an infinite light takes one");
     const OrError<Image> image = ReadImage(file);
     const std::string unfit = image ? Unfit(*image.value) : std::string();

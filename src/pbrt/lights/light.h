@@ -29,8 +29,8 @@ struct LightLiSample {
 //   float Power() const     luminous flux (pbrt's units: 1 = one rgb unit), for choosing lights
 //   std::optional<LightBounds> Bounds() const     nullopt for light from infinity
 // and, where it has them:
-//   void Preprocess(Point3f center, float radius)       the scene's bounding sphere
-//   float PDF_Li(Vector3f wi) const                     infinite lights with an area
+//   void Preprocess(float radius)         of the scene's bounding sphere
+//   float PDF_Li(Vector3f wi) const       infinite lights with an area
 //   SampledSpectrum Le(Vector3f d, const SampledWavelengths &) const
 // lights.h gathers them in the variant `Light`.
 

@@ -51,11 +51,10 @@ std::vector<Light> CreateAreaLights(std::string_view type, ParamDict &params, co
 }
 
 void Preprocess(Light &light, const Bounds3f &sceneBounds) {
-    const Point3f center = sceneBounds.Center();
-    const float radius = Length(sceneBounds.max - center);
+    const float radius = Length(sceneBounds.Diagonal()) / 2;
     std::visit(
         [&](auto &l) {
-            if constexpr (requires { l.Preprocess(center, radius); }) l.Preprocess(center, radius);
+            if constexpr (requires { l.Preprocess(radius); }) l.Preprocess(radius);
         },
         light);
 }

@@ -11,7 +11,7 @@ namespace pbrt {
 struct UniformInfiniteLight {
     static constexpr std::string_view kName = "infinite";
 
-    void Preprocess(Point3f, float radius) { sceneRadius = radius; }
+    void Preprocess(float radius) { sceneRadius = radius; }
     std::optional<LightLiSample> SampleLi(const LightSampleContext &, Point2f,
                                           const SampledWavelengths &) const {
         return std::nullopt;

@@ -122,6 +122,7 @@ std::optional<ImageLookup> CreateLookup(TextureBuilder &builder) {
     lookup.mapping = TextureMapping2D::Create(params, builder.textureFromRender);
     const int filter = params.GetOneChoice("filter", kFilters[1], kFilters);
     lookup.sampling.filter = TextureFilter(std::min(filter, int(TextureFilter::EWA)));
+    builder.named.readFootprints |= lookup.sampling.NeedsPyramid();
     lookup.sampling.wrap = WrapMode(params.GetOneChoice("wrap", kWraps[0], kWraps));
     lookup.sampling.maxAnisotropy = params.GetOneFloat(kAnisotropy);
     lookup.scale = params.GetOneFloat("scale", 1);

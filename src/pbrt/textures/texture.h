@@ -80,6 +80,7 @@ struct NamedTextures {
     std::map<std::string, FloatTexture> floats;
     std::map<std::string, SpectrumTexture> albedos, unboundeds, illuminants;
     std::map<std::string, std::shared_ptr<const MIPMap>> images;  ///< by file name and decoding
+    bool readFootprints = false;  ///< some texture reads the steps per pixel of its context
 
     const std::map<std::string, SpectrumTexture> &Spectra(SpectrumType role) const {
         return role == SpectrumType::Albedo      ? albedos
