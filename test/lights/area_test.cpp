@@ -78,8 +78,9 @@ TEST(DiffuseAreaLight, FadesWithTheShapesAlpha) {
     };
     const AreaScene whole(kUnit, Rectangle(2, 1, 0));
     const AreaScene half(kUnit, Rectangle(2, 1, 0), FloatTexture(std::make_shared<RightHalf>()));
+    // Half of 20000 samples count: their number varies by 0.7 % (1 sigma) of it.
     const double all = Illuminance(whole.lights, {0, 0, 0.7f}, {0, 0, -1}, 20000);
-    EXPECT_NEAR(Illuminance(half.lights, {0, 0, 0.7f}, {0, 0, -1}, 20000), all / 2, 0.01 * all);
+    EXPECT_NEAR(Illuminance(half.lights, {0, 0, 0.7f}, {0, 0, -1}, 20000), all / 2, 0.015 * all);
 }
 
 TEST(DiffuseAreaLight, WithAlphaZeroIsFoundByLightSamplesAlone) {

@@ -147,7 +147,7 @@ TEST(BVHLightSampler, PointLightsAreDrawnWithoutBias) {
         std::mt19937 rng(6);
         for (int k = 0; k < 10; ++k) {
             const LightSampleContext ctx = RandomReceiver(rng, 5);
-            constexpr int n = 200000;
+            constexpr int n = 60000;
             double sum = 0;
             for (int i = 0; i < n; ++i) {
                 const auto chosen = sampler.Sample(ctx, (float(i) + 0.5f) / n);
