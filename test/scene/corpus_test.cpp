@@ -7,16 +7,19 @@
 namespace pbrt {
 namespace {
 
+constexpr char kFolder[] = "scene/broken";
+
 class BrokenScene : public testing::TestWithParam<std::string> {};
 
 TEST_P(BrokenScene, SaysWhatIsExpected) {
-    ExpectMessages(GetParam(), [](const std::string &file, Diagnostics &log) {
+    ExpectMessages(kFolder, GetParam(), [](const std::string &file, Diagnostics &log) {
         Description scene;
         ParseFiles({file}, scene, log);
     });
 }
 
-INSTANTIATE_TEST_SUITE_P(Corpus, BrokenScene, testing::ValuesIn(CorpusScenes()), CorpusTestName);
+INSTANTIATE_TEST_SUITE_P(Corpus, BrokenScene, testing::ValuesIn(CorpusScenes(kFolder)),
+                         CorpusTestName);
 
 }  // namespace
 }  // namespace pbrt

@@ -222,6 +222,14 @@ TEST(Directives, WhatIsUndefinedIsReportedOnceAndLeftOut) {
     EXPECT_EQ(d.instances[0].name, "o");
 }
 
+TEST(Directives, AnUnknownOneIsPassedOverWithItsArguments) {
+    const auto parsed = ParseWorld("Foo bar \"x\" [ 1 2 ] baz\nbar 1 Shape \"a\"\n[ qux\nquux ]");
+    EXPECT_EQ(parsed->Messages(), (Texts{"test.pbrt:2:1: unknown directive \"Foo\"",
+                                         "test.pbrt:3:1: unknown directive \"bar\"",
+                                         "test.pbrt:4:1: expected a directive, found \"[\""}));
+    EXPECT_EQ(parsed->scene.shapes.size(), 1u);
+}
+
 TEST(Directives, HopelessFilesAreGivenUp) {
     std::string text;
     for (int i = 0; i < 1000; ++i)

@@ -16,8 +16,9 @@ bool IsDirective(const Token &t) {
 
 std::optional<std::string> Parser::Name(std::string_view what) {
     const Token &t = lexer->Peek();
+    if (lexer->Peek().kind == TokenKind::Word && lexer->ReportMissingQuote())
+        return Resynchronise(), std::nullopt;
     if (t.kind == TokenKind::Word && !IsDirective(t)) {
-        if (lexer->ReportMissingQuote()) return Resynchronise(), std::nullopt;
         Error(lexer->Loc(), fmt::format("{} must be quoted: \"{}\"", what, t.text));
     } else if (t.kind != TokenKind::String) {
         Expected(fmt::format("{} in quotes", what));
@@ -82,7 +83,7 @@ std::optional<Matrix4> Parser::BracketedMatrix() {
 
 void Parser::Expected(std::string_view what) {
     const Token &t = lexer->Peek();
-    if (t.kind == TokenKind::Broken) return;  // reported by the lexer
+    if (t.kind == TokenKind::Broken || lexer->ReportMissingQuote()) return;  // by the lexer
     Error(lexer->Loc(), fmt::format("expected {}, found {}", what, Shown(t)));
 }
 

@@ -82,7 +82,7 @@ struct Description {
     std::map<std::string, ObjectEntity> objects;
     std::vector<InstanceUse> instances;
     Options options;
-    std::string dir;                    ///< folder of the top-level scene file
+    std::string dir;                    ///< folder of the last top-level scene file
     std::deque<std::string> fileNames;  ///< what FileLoc::file points into
 };
 

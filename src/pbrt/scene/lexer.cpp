@@ -61,10 +61,12 @@ Lexer::Lexer(std::string_view text, std::string_view file, Diagnostics *log)
       file(file),
       log(log) {
     if (text.starts_with("\xEF\xBB\xBF")) lineStart = next += 3;
+    token.line = 0;
     Advance();
 }
 
 void Lexer::Advance() {
+    lastLine = token.line;
     SkipBlanks();
     tokenStart = next;
     token.line = line;

@@ -35,6 +35,8 @@ class Lexer {
     /// The token not yet consumed.
     const Token &Peek() const { return token; }
     void Advance();
+    /// True where the token not yet consumed is the first on its line.
+    bool AtLineStart() const { return token.line > lastLine; }
     /// Consumes the plain short numbers (ParseShortDecimal) that follow, appending them to
     /// `numbers`; stops at any other token. A short cut past the tokens for long lists.
     void ReadShortNumbers(std::vector<float> *numbers);
@@ -60,6 +62,7 @@ class Lexer {
     const char *tokenStart;
     const char *lineStart;  ///< moved on by one for every UTF-8 continuation byte of the line
     int line = 1;
+    int lastLine = 0;  ///< of the token consumed last
     Token token;
     std::string_view file;
     Diagnostics *log;

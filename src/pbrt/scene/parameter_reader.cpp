@@ -62,37 +62,48 @@ void ParameterReader::ReadOne(Lexer &lexer, const RGBColorSpace *colorSpace) {
                                     declaration));
         return SkipValues(lexer);
     }
-    const ParamType *type = FindParamType(d.type);
-    if (!type) {
-        const std::string_view newName = NewNameOfType(d.type);
-        const std::string hint = newName.empty()
-                                     ? DidYouMean(d.type, ParamTypeNames())
-                                     : fmt::format("; pbrt-v4 calls it \"{}\"", newName);
-        log->Error(loc, fmt::format("unknown parameter type \"{}\" in \"{}\"{}", d.type,
-                                    declaration, hint));
-        return SkipValues(lexer);
-    }
-    floats.clear(), ints.clear(), strings.clear(), bools.clear();
+    const ParamType *const type = FindParamType(d.type);
+    const ParamType *const meant = type ? type : ReportUnknownType(d, loc);
+    if (!meant) return SkipValues(lexer);
     ParsedParameter &p = parameters.emplace_back();
-    p.type = type->name;
+    p.type = meant->name;
     p.name = d.name;
     p.loc = loc;
     p.valueLoc = lexer.Loc();
     p.colorSpace = colorSpace;
+    if (!type) return SkipValues(lexer);
+    if (ReadValues(lexer, *type, &p.valueLoc)) KeepValues(&p);
+}
+
+const ParamType *ParameterReader::ReportUnknownType(const Declaration &d, const FileLoc &loc) {
+    const std::string_view newName = NewNameOfType(d.type);
+    const std::string hint = newName.empty() ? DidYouMean(d.type, ParamTypeNames())
+                                             : fmt::format("; pbrt-v4 calls it \"{}\"", newName);
+    log->Error(loc,
+               fmt::format("unknown parameter type \"{}\" in \"{}\"{}", d.type, declaration, hint));
+    return FindParamType(newName.empty() ? NearestName(d.type, ParamTypeNames()) : newName);
+}
+
+bool ParameterReader::ReadValues(Lexer &lexer, const ParamType &type, FileLoc *first) {
+    floats.clear(), ints.clear(), strings.clear(), bools.clear();
     inList = lexer.Peek().kind == TokenKind::Open;
     if (inList) {
         lexer.Advance();
-        p.valueLoc = lexer.Loc();
-        if (!ReadList(lexer, *type)) return;
-    } else {
-        if (!ReadValue(lexer, *type) || !IsLast(lexer)) return SkipValues(lexer);
+        *first = lexer.Loc();
+        return ReadList(lexer, type);
     }
-    if (!floats.empty()) p.floats = floats;
-    if (!ints.empty()) p.ints = ints;
-    if (!bools.empty()) p.bools = bools;
+    const bool right = ReadValue(lexer, type) && IsLast(lexer);
+    if (!right) SkipValues(lexer);
+    return right;
+}
+
+void ParameterReader::KeepValues(ParsedParameter *p) {
+    if (!floats.empty()) p->floats = floats;
+    if (!ints.empty()) p->ints = ints;
+    if (!bools.empty()) p->bools = bools;
     if (!strings.empty())
-        p.strings.assign(std::make_move_iterator(strings.begin()),
-                         std::make_move_iterator(strings.end()));
+        p->strings.assign(std::make_move_iterator(strings.begin()),
+                          std::make_move_iterator(strings.end()));
 }
 
 bool ParameterReader::ReadList(Lexer &lexer, const ParamType &type) {

@@ -18,8 +18,11 @@ class ParameterReader {
 
   private:
     void ReadOne(Lexer &lexer, const RGBColorSpace *colorSpace);
+    /// Returns the type that was probably meant, if any: the parameter then counts as given.
+    const ParamType *ReportUnknownType(const Declaration &d, const FileLoc &loc);
     // True where the values are right; they are then in the buffers below. A wrong one is reported
     // and left to the caller to skip.
+    bool ReadValues(Lexer &lexer, const ParamType &type, FileLoc *first);
     bool ReadList(Lexer &lexer, const ParamType &type);
     bool ReadValue(Lexer &lexer, const ParamType &type);
     bool ReadString(Lexer &lexer);
@@ -27,6 +30,7 @@ class ParameterReader {
     bool ReadInt(Lexer &lexer);
     bool ReadBool(Lexer &lexer);
     bool IsLast(Lexer &lexer);
+    void KeepValues(ParsedParameter *p);
     /// Past the values of a parameter that cannot be read; nothing is reported.
     void SkipValues(Lexer &lexer);
     void SkipList(Lexer &lexer);

@@ -13,7 +13,7 @@ namespace {
 /// After this many errors a file is no scene, and more messages help nobody.
 constexpr int kMostErrors = 200;
 
-bool MayBeDirective(std::string_view word) {
+bool IsName(std::string_view word) {
     return std::isalpha(static_cast<unsigned char>(word[0])) && word != "true" && word != "false";
 }
 
@@ -90,7 +90,7 @@ void Parser::ReadDirective() {
     if (!directive) {
         if (!lexer->ReportMissingQuote()) {
             RefuseDirective(token);
-            lexer->Advance();
+            if (token.kind != TokenKind::Open) lexer->Advance();
         }
         return Resynchronise();
     }
@@ -101,7 +101,7 @@ void Parser::ReadDirective() {
 
 void Parser::RefuseDirective(const Token &token) {
     if (token.kind == TokenKind::Broken) return;  // reported by the lexer
-    if (token.kind != TokenKind::Word || !MayBeDirective(token.text))
+    if (token.kind != TokenKind::Word || !IsName(token.text))
         return log->Error(at, fmt::format("expected a directive, found {}", Shown(token)));
     const std::string_view old = OldDirectiveHint(token.text);
     log->Error(at, fmt::format("unknown directive {}{}", Shown(token),
@@ -129,7 +129,8 @@ void Parser::Resynchronise() {
         if (t.kind == TokenKind::Open) ++depth;
         if (t.kind == TokenKind::Close && depth > 0) --depth;
         if (t.kind != TokenKind::Word) continue;
-        if (FindDirective(t.text) || (depth == 0 && MayBeDirective(t.text))) return;
+        const bool misspelt = depth == 0 && lexer->AtLineStart() && IsName(t.text);
+        if (misspelt || FindDirective(t.text)) return;
     }
 }
 

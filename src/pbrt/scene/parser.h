@@ -46,7 +46,7 @@ class Parser {
     void ReadDirective();
     void RefuseDirective(const Token &token);
     bool CheckPlace(const Directive &d);
-    /// To the next word that may be a directive.
+    /// To the next directive, or the next line that begins with another name: a misspelt one.
     void Resynchronise();
     /// A file that a directive names: checked, read, parsed. False where it cannot be read.
     bool ReadNested(const std::string &name, const FileLoc &use);
