@@ -16,11 +16,12 @@ class QuadricReader {
             Fail("", "cannot be placed by a perspective transform");
     }
 
+    /// 1 after an error, so that it causes no others.
     float Radius() {
         const float radius = a.params.GetOneFloat("radius", 1);
-        if (!(radius > 0 && radius < Infinity))
-            Fail("radius", fmt::format("\"float radius\": {} is not more than 0", radius));
-        return radius;
+        if (radius > 0 && radius < Infinity) return radius;
+        Fail("radius", fmt::format("\"float radius\": {} is not more than 0", radius));
+        return 1;
     }
 
     /// In radians, (0, 2 pi].

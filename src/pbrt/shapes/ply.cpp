@@ -51,7 +51,8 @@ class PlyReader {
     bool Promised(const PlyElement &e) {
         const uint64_t least = uint64_t(e.LeastRowBytes(format)) * e.count;
         // The last ascii number needs no space behind it.
-        if (!stream.KnowsLength() || least <= stream.BytesLeft() + 1) return true;
+        const uint64_t slack = format == PlyFormat::Ascii ? 1 : 0;
+        if (!stream.KnowsLength() || least <= stream.BytesLeft() + slack) return true;
         Fail(fmt::format("is too short: {} x \"{}\" need at least {} bytes, {} are left", e.count,
                          e.name, least, stream.BytesLeft()));
         return false;
