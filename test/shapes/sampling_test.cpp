@@ -221,7 +221,8 @@ TEST(Sampling, TriangleSolidAngleAgainstUniformDirections) {
 
 TEST(Sampling, RectanglesBySolidAngle) {
     Rng rng(7);
-    for (int i = 0; i < 300; ++i) {
+    int bySolidAngle = 0;
+    for (int i = 0; i < 600; ++i) {
         const Frame frame = Frame::FromZ(SampleUniformSphere(rng.Uniform2D()));
         const float a = 0.2f + rng.Uniform(), b = 0.2f + rng.Uniform();
         BilinearMesh mesh;
@@ -238,11 +239,22 @@ TEST(Sampling, RectanglesBySolidAngle) {
         const double expected = TriangleSolidAngle(t0, ref) + TriangleSolidAngle(t1, ref);
         const auto s = SampleFrom(shape, 0, ref, rng.Uniform2D());
         const auto t = SampleFrom(shape, 0, ref, rng.Uniform2D());
-        if (expected < 0.011) continue;
+        if (expected < 0.4) continue;  // by area
+        ++bySolidAngle;
         ASSERT_TRUE(s && t);
         EXPECT_EQ(s->pdf, t->pdf);
         EXPECT_NEAR(1 / s->pdf / expected, 1, 1e-4);
     }
+    EXPECT_GT(bySolidAngle, 100);
+}
+
+TEST(Sampling, LongRectanglesFromNearTheirEnd) {
+    // A tube light 10 by 0.1: by area, the weights of the near end would be 1e4 times the others.
+    const Shape shape = MakeOne(R"(Shape "bilinearmesh" "point3 P" [ 0 0 0  10 0 0  0 .1 0  10 .1 0 ])");
+    const Point3f ref{0.05f, 0.05f, 0.1f};
+    const auto a = SampleFrom(shape, 0, ref, {0.1f, 0.5f}), b = SampleFrom(shape, 0, ref, {0.9f, 0.5f});
+    ASSERT_TRUE(a && b);
+    EXPECT_EQ(a->pdf, b->pdf);
 }
 
 TEST(Sampling, SpheresOfAnySizeFillTheirCone) {
