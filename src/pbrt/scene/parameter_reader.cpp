@@ -126,11 +126,13 @@ bool ParameterReader::ReadList(Lexer &lexer, const ParamType &type) {
 }
 
 bool ParameterReader::ReadValue(Lexer &lexer, const ParamType &type) {
+    constexpr NumberSyntax<float> kFloat{"a number", ParseFloat, WhyNotFloat};
+    constexpr NumberSyntax<int> kInt{"an integer", ParseInt, WhyNotInt};
     switch (type.kind) {
         case ValueKind::Float:
-            return ReadNumber(lexer);
+            return ReadNumber(lexer, kFloat, &floats);
         case ValueKind::Int:
-            return ReadInt(lexer);
+            return ReadNumber(lexer, kInt, &ints);
         case ValueKind::Bool:
             return ReadBool(lexer);
         case ValueKind::String:
@@ -140,7 +142,7 @@ bool ParameterReader::ReadValue(Lexer &lexer, const ParamType &type) {
     }
     const bool string = lexer.Peek().kind == TokenKind::String;
     if ((string && floats.empty()) || !strings.empty()) return ReadString(lexer);
-    return ReadNumber(lexer);
+    return ReadNumber(lexer, kFloat, &floats);
 }
 
 bool ParameterReader::ReadString(Lexer &lexer) {
@@ -151,27 +153,17 @@ bool ParameterReader::ReadString(Lexer &lexer) {
     return true;
 }
 
-bool ParameterReader::ReadNumber(Lexer &lexer) {
+template <typename Number>
+bool ParameterReader::ReadNumber(Lexer &lexer, const NumberSyntax<Number> &syntax,
+                                 std::vector<Number> *values) {
     const Token &t = lexer.Peek();
-    const std::optional<float> value =
-        t.kind == TokenKind::Word ? ParseFloat(t.text) : std::nullopt;
+    const bool word = t.kind == TokenKind::Word;
+    const std::optional<Number> value = word ? syntax.parse(t.text) : std::nullopt;
     if (!value) {
-        if (t.kind != TokenKind::Word || IsDirective(t)) return Expected(lexer, "a number");
-        return Fail(lexer.Loc(), WhyNotFloat(t.text));
+        if (!word || IsDirective(t)) return Expected(lexer, syntax.what);
+        return Fail(lexer.Loc(), syntax.whyNot(t.text));
     }
-    floats.push_back(*value);
-    lexer.Advance();
-    return true;
-}
-
-bool ParameterReader::ReadInt(Lexer &lexer) {
-    const Token &t = lexer.Peek();
-    const std::optional<int> value = t.kind == TokenKind::Word ? ParseInt(t.text) : std::nullopt;
-    if (!value) {
-        if (t.kind != TokenKind::Word || IsDirective(t)) return Expected(lexer, "an integer");
-        return Fail(lexer.Loc(), WhyNotInt(t.text));
-    }
-    ints.push_back(*value);
+    values->push_back(*value);
     lexer.Advance();
     return true;
 }

@@ -17,6 +17,13 @@ class ParameterReader {
     ParsedParameters Read(Lexer &lexer, const RGBColorSpace *colorSpace);
 
   private:
+    template <typename Number>
+    struct NumberSyntax {
+        std::string_view what;
+        std::optional<Number> (*parse)(std::string_view text);
+        std::string (*whyNot)(std::string_view text);
+    };
+
     void ReadOne(Lexer &lexer, const RGBColorSpace *colorSpace);
     /// Returns the type that was probably meant, if any: the parameter then counts as given.
     const ParamType *ReportUnknownType(const Declaration &d, const FileLoc &loc);
@@ -26,8 +33,8 @@ class ParameterReader {
     bool ReadList(Lexer &lexer, const ParamType &type);
     bool ReadValue(Lexer &lexer, const ParamType &type);
     bool ReadString(Lexer &lexer);
-    bool ReadNumber(Lexer &lexer);
-    bool ReadInt(Lexer &lexer);
+    template <typename Number>
+    bool ReadNumber(Lexer &lexer, const NumberSyntax<Number> &syntax, std::vector<Number> *values);
     bool ReadBool(Lexer &lexer);
     bool IsLast(Lexer &lexer);
     void KeepValues(ParsedParameter *p);
