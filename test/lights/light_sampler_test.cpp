@@ -145,16 +145,17 @@ TEST(BVHLightSampler, PointLightsAreDrawnWithoutBias) {
         const LightScene s(RandomPoints(lights, lo, hi));
         const LightSampler sampler = LightSampler::Create("bvh", s.lights);
         std::mt19937 rng(6);
-        for (int k = 0; k < 10; ++k) {
+        for (int k = 0; k < 4; ++k) {
             const LightSampleContext ctx = RandomReceiver(rng, 5);
-            constexpr int n = 60000;
+            constexpr int n = 200000;
             double sum = 0;
             for (int i = 0; i < n; ++i) {
                 const auto chosen = sampler.Sample(ctx, (float(i) + 0.5f) / n);
                 ASSERT_TRUE(chosen);
                 sum += 1 / double(chosen->pmf);
             }
-            // Strata leave at most one draw per border: rare lights dominate the error.
+            // Strata leave at most a draw more or less per light: that of a light of pmf 1e-5
+            // makes 1 / (1e-5 n lights), less than 2 %.
             EXPECT_NEAR(sum / n / lights, 1, 0.02);
         }
     }
