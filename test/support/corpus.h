@@ -15,17 +15,17 @@
 
 namespace pbrt {
 
-/// test/scene/broken: NN-name.pbrt beside NN-name.expected, which holds a line for each message as
+/// A folder of broken scenes below test/: NN-name.pbrt beside NN-name.expected, which holds a line for each message as
 /// the program prints it: `Error: file:line:column: message` or `Warning: ...`, `file` relative to
 /// the folder. A program is checked in the same way by running it in the folder.
-inline std::filesystem::path CorpusFolder() {
-    return std::filesystem::path(PBRT_SOURCE_DIR) / "test/scene/broken";
+inline std::filesystem::path CorpusFolder(const std::string &folder) {
+    return std::filesystem::path(PBRT_SOURCE_DIR) / "test" / folder;
 }
 
 /// Names of the scenes, without folder and extension, sorted.
-inline std::vector<std::string> CorpusScenes() {
+inline std::vector<std::string> CorpusScenes(const std::string &folder) {
     std::vector<std::string> names;
-    for (const auto &entry : std::filesystem::directory_iterator(CorpusFolder()))
+    for (const auto &entry : std::filesystem::directory_iterator(CorpusFolder(folder)))
         if (entry.path().extension() == ".pbrt") names.push_back(entry.path().stem().string());
     std::sort(names.begin(), names.end());
     return names;
@@ -40,14 +40,14 @@ inline std::string CorpusTestName(const testing::TestParamInfo<std::string> &inf
 
 /// Runs `pipeline` on the scene inside the folder; its messages must be those expected, in order.
 inline void ExpectMessages(
-    const std::string &scene,
+    const std::string &folder, const std::string &scene,
     const std::function<void(const std::string &file, Diagnostics &log)> &pipeline) {
-    std::ifstream expectedFile(CorpusFolder() / (scene + ".expected"));
+    std::ifstream expectedFile(CorpusFolder(folder) / (scene + ".expected"));
     ASSERT_TRUE(expectedFile) << scene << ".expected is missing";
     std::stringstream expected;
     expected << expectedFile.rdbuf();
     const std::filesystem::path before = std::filesystem::current_path();
-    std::filesystem::current_path(CorpusFolder());
+    std::filesystem::current_path(CorpusFolder(folder));
     Diagnostics log;
     pipeline(scene + ".pbrt", log);
     std::filesystem::current_path(before);

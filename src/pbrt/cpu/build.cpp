@@ -105,7 +105,8 @@ void BuildLights(const Description &scene, const std::string &lightSampler,
         if (IsInfinite(world.lights[i])) world.infiniteLights.push_back(int(i));
     }
     world.lightSampler = LightSampler::Create(lightSampler, world.lights);
-    if (world.lights.empty()) log.Warning({}, "no light sources in the scene: the picture is black");
+    if (world.lights.empty() && !log.HasErrors())
+        log.Warning({}, "no light sources in the scene: the picture is black");
 }
 
 }  // namespace

@@ -14,13 +14,18 @@ namespace {
 /// Small enough that two threads end together, big enough that neighbours share cache.
 constexpr int kTileSize = 16;
 
-/// One pixel with all its samples.
-template <typename SamplerT>
-RGBFilm::Pixel RenderPixel(const World &world, Point2i p, SamplerT &sampler, RayCounts &rays) {
+/// So many samples of one pixel are taken between two looks at whether to stop.
+constexpr int kSamplesBetweenPolls = 4096;
+
+/// One pixel with all its samples; less where keepGoing() says no.
+template <typename SamplerT, typename F>
+RGBFilm::Pixel RenderPixel(const World &world, Point2i p, SamplerT &sampler, RayCounts &rays,
+                           const F &keepGoing) {
     RGBFilm::Pixel pixel;
     PathTracer<SamplerT> tracer(world, sampler, rays);
     const int spp = sampler.SamplesPerPixel();
     for (int index = 0; index < spp; ++index) {
+        if (index % kSamplesBetweenPolls == kSamplesBetweenPolls - 1 && !keepGoing()) break;
         sampler.StartPixelSample(p, index);
         const float uLambda = sampler.Get1D();
         SampledWavelengths lambda = SampledWavelengths::SampleVisible(
@@ -49,20 +54,24 @@ std::optional<RenderStats> Render(World &world, int nThreads,
     const PixelBounds b = world.film.Bounds();
     std::atomic<int64_t> pixelsDone{0}, closest{0}, shadow{0};
     std::atomic<bool> stopped{false};
+    const auto keepGoing = [&] {
+        if (!progress(pixelsDone, b.Area())) stopped = true;
+        return !stopped;
+    };
     const auto renderTile = [&](const tbb::blocked_range2d<int> &tile) {
-        if (stopped.load(std::memory_order_relaxed)) return;
         RayCounts rays;
         std::visit(
             [&](auto sampler) {
                 for (int y = tile.rows().begin(); y < tile.rows().end(); ++y)
-                    for (int x = tile.cols().begin(); x < tile.cols().end(); ++x)
-                        world.film.Store({x, y}, RenderPixel(world, {x, y}, sampler, rays));
+                    for (int x = tile.cols().begin(); x < tile.cols().end() && !stopped; ++x)
+                        world.film.Store({x, y},
+                                         RenderPixel(world, {x, y}, sampler, rays, keepGoing));
             },
             world.sampler);
         closest += rays.closest;
         shadow += rays.shadow;
-        const int64_t size = int64_t(tile.rows().size()) * int64_t(tile.cols().size());
-        if (!progress(pixelsDone += size, b.Area())) stopped = true;
+        pixelsDone += int64_t(tile.rows().size()) * int64_t(tile.cols().size());
+        keepGoing();
     };
     tbb::task_arena arena(nThreads > 0 ? nThreads : tbb::task_arena::automatic);
     arena.execute([&] {

@@ -57,7 +57,8 @@ std::string_view NearestName(std::string_view name, std::span<const std::string_
     std::string_view best;
     int fewest = 1 << 30;
     for (std::string_view c : candidates) {
-        const int edits = Edits(name, c);
+        // An abbreviation is as near as a single edit.
+        const int edits = name.size() >= 3 && c.starts_with(name) ? 1 : Edits(name, c);
         if (edits < fewest && 3 * edits <= int(std::max(name.size(), c.size()))) {
             fewest = edits;
             best = c;

@@ -38,7 +38,7 @@ class Diagnostics {
 };
 
 /// The candidate with the fewest edits from `name` (case ignored); empty where none is near, that
-/// is, within a third of the longer name's length.
+/// is, within a third of the longer name's length or beginning with `name`.
 std::string_view NearestName(std::string_view name, std::span<const std::string_view> candidates);
 /// `; did you mean "x"?` or nothing.
 std::string DidYouMean(std::string_view name, std::span<const std::string_view> candidates);

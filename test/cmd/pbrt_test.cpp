@@ -1,0 +1,163 @@
+// The program `pbrt` as a user meets it: exit codes, messages, files.
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include "pbrt/image/image.h"
+
+namespace pbrt {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+    int exitCode;
+    std::string said;  ///< both streams
+};
+
+class Program : public testing::Test {
+  protected:
+    void SetUp() override {
+        folder = fs::temp_directory_path() /
+                 ("pbrt-cmd-" + std::to_string(getpid()) + "-" +
+                  testing::UnitTest::GetInstance()->current_test_info()->name());
+        fs::create_directories(folder);
+    }
+    void TearDown() override { fs::remove_all(folder); }
+
+    Outcome Run(const std::string &arguments, const std::string &before = "") {
+        const std::string command =
+            "cd '" + folder.string() + "' && " + before + " '" PBRT_PROGRAM "' " + arguments + " 2>&1";
+        Outcome outcome;
+        FILE *pipe = popen(command.c_str(), "r");
+        char buffer[4096];
+        while (const size_t n = fread(buffer, 1, sizeof buffer, pipe))
+            outcome.said.append(buffer, n);
+        const int status = pclose(pipe);
+        outcome.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+        return outcome;
+    }
+    void Write(const std::string &name, const std::string &text) {
+        std::ofstream(folder / name) << text;
+    }
+    std::string Read(const std::string &name) {
+        std::stringstream text;
+        text << std::ifstream(folder / name).rdbuf();
+        return text.str();
+    }
+    /// Names of the files in the folder, but for scene.pbrt.
+    std::vector<std::string> Files() {
+        std::vector<std::string> names;
+        for (const auto &entry : fs::directory_iterator(folder))
+            if (entry.path().filename() != "scene.pbrt")
+                names.push_back(entry.path().filename().string());
+        return names;
+    }
+
+    fs::path folder;
+};
+
+constexpr char kScene[] =
+    "Film \"rgb\" \"integer xresolution\" 16 \"integer yresolution\" 8 \"string filename\" "
+    "\"out.exr\"\nSampler \"zsobol\" \"integer pixelsamples\" 4\nWorldBegin\n"
+    "LightSource \"infinite\"\nTranslate 0 0 3 Shape \"sphere\"\n";
+
+TEST_F(Program, RendersTheNamedFile) {
+    Write("scene.pbrt", kScene);
+    EXPECT_EQ(Run("scene.pbrt --quiet").exitCode, 0);
+    const auto image = ReadImage((folder / "out.exr").string());
+    ASSERT_TRUE(image) << image.error;
+    EXPECT_EQ(image.value->Resolution(), (Point2i{16, 8}));
+    EXPECT_EQ(image.value->metadata.samplesPerPixel, 4);
+}
+
+TEST_F(Program, OptionsOfEverySpelling) {
+    Write("scene.pbrt", kScene);
+    for (const char *options :
+         {"--outfile a.exr --spp 1 --nthreads 1", "-outfile=a.exr -spp 1", "--OutFile a.exr --n_threads 2",
+          "--outfile a.exr --cropwindow 0,0.5,0,1 --seed 3 --quick"})
+        EXPECT_EQ(Run(std::string("scene.pbrt --quiet ") + options).exitCode, 0) << options;
+    EXPECT_EQ(Files(), std::vector<std::string>{"a.exr"});
+    const auto image = ReadImage((folder / "a.exr").string());
+    EXPECT_EQ(image.value->Resolution(), (Point2i{2, 2}));
+    EXPECT_EQ(image.value->metadata.fullResolution, (Point2i{4, 2}));
+}
+
+TEST_F(Program, PixelBoundsAndPng) {
+    Write("scene.pbrt", kScene);
+    EXPECT_EQ(Run("scene.pbrt --quiet --outfile a.png --pixelbounds 4,10,2,6").exitCode, 0);
+    const auto image = ReadImage((folder / "a.png").string());
+    ASSERT_TRUE(image) << image.error;
+    EXPECT_EQ(image.value->Resolution(), (Point2i{6, 4}));
+}
+
+TEST_F(Program, ReadsStandardInput) {
+    Write("scene.pbrt", kScene);
+    EXPECT_EQ(Run("--quiet < scene.pbrt").exitCode, 0);
+    EXPECT_EQ(Files(), std::vector<std::string>{"out.exr"});
+}
+
+TEST_F(Program, BrokenSceneWritesNothing) {
+    Write("scene.pbrt", std::string(kScene) + "Shape \"spehre\"\n");
+    const Outcome outcome = Run("scene.pbrt");
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_NE(outcome.said.find("scene.pbrt:6:1: unknown shape \"spehre\"; did you mean \"sphere\"?"),
+              std::string::npos)
+        << outcome.said;
+    EXPECT_TRUE(Files().empty());
+}
+
+TEST_F(Program, UserMistakesOnTheCommandLine) {
+    Write("scene.pbrt", kScene);
+    const auto says = [&](const std::string &arguments, const std::string &what) {
+        const Outcome outcome = Run(arguments);
+        EXPECT_EQ(outcome.exitCode, 1) << arguments;
+        EXPECT_NE(outcome.said.find(what), std::string::npos) << arguments << ": " << outcome.said;
+    };
+    says("no-such-scene.pbrt", "no-such-scene.pbrt");
+    says("scene.pbrt --ssp 4", "did you mean --spp?");
+    says("scene.pbrt --spp", "--spp");
+    says("scene.pbrt --spp many", "many");
+    says("scene.pbrt --outfile picture.gif", ".exr");
+    says("scene.pbrt --outfile no/such/folder/a.exr", "no/such/folder");
+    says("scene.pbrt --cropwindow 0,1", "cropwindow");
+    EXPECT_TRUE(Files().empty());
+}
+
+TEST_F(Program, HelpAndVersion) {
+    const Outcome help = Run("--help");
+    EXPECT_EQ(help.exitCode, 0);
+    EXPECT_NE(help.said.find("--outfile"), std::string::npos);
+    const Outcome version = Run("--version");
+    EXPECT_EQ(version.exitCode, 0);
+    EXPECT_NE(version.said.find("pbrt-feather"), std::string::npos);
+}
+
+TEST_F(Program, InterruptedRenderLeavesTheOldFile) {
+    Write("scene.pbrt", kScene);
+    Write("out.exr", "the old picture");
+    // Far too many samples to finish: the signal ends it.
+    const Outcome outcome =
+        Run("scene.pbrt --spp 16777216", "timeout --signal=INT --preserve-status 1");
+    EXPECT_EQ(outcome.exitCode, 130) << outcome.said;
+    EXPECT_NE(outcome.said.find("nothing was written"), std::string::npos);
+    EXPECT_EQ(Read("out.exr"), "the old picture");
+    EXPECT_EQ(Files(), std::vector<std::string>{"out.exr"});
+}
+
+TEST_F(Program, StatsTellWhatWasDone) {
+    Write("scene.pbrt", kScene);
+    const Outcome outcome = Run("scene.pbrt --stats --nthreads 1");
+    for (const char *what : {"Rays", "Memory", "Build", "Render"})
+        EXPECT_NE(outcome.said.find(what), std::string::npos) << outcome.said;
+}
+
+}  // namespace
+}  // namespace pbrt
