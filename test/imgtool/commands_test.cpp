@@ -9,13 +9,13 @@ TEST_F(ImgTool, WithoutACommandItListsAll) {
     for (const std::vector<std::string> &args :
          {std::vector<std::string>{}, {"help"}, {"--help"}, {"-h"}}) {
         const std::string text = Succeed(args);
-        for (const Command &command : Commands())
+        for (const cli::Command &command : kTool.commands)
             EXPECT_NE(text.find(command.name), std::string::npos) << command.name;
     }
 }
 
 TEST_F(ImgTool, EveryCommandHasAManual) {
-    for (const Command &command : Commands()) {
+    for (const cli::Command &command : kTool.commands) {
         const std::string name(command.name);
         EXPECT_NE(Succeed({"help", name}).find("imgtool " + name), std::string::npos);
         EXPECT_EQ(Succeed({name, "--help"}), Succeed({"help", name}));

@@ -9,17 +9,17 @@ namespace pbrt::imgtool {
 /// Runs imgtool in a folder of its own.
 class ToolTest : public TempFolder {
   protected:
-    static Outcome Do(const std::vector<std::string> &args) { return imgtool::Run(args); }
+    static Outcome Do(const std::vector<std::string> &args) { return cli::Run(kTool, args); }
     /// As Do, where success is expected.
     static std::string Succeed(const std::vector<std::string> &args) {
-        const Outcome outcome = imgtool::Run(args);
+        const Outcome outcome = cli::Run(kTool, args);
         EXPECT_EQ(outcome.exitCode, 0) << outcome.out << outcome.err;
         EXPECT_EQ(outcome.err, "");
         return outcome.out;
     }
     /// The message of a command that fails.
     static std::string Fail(const std::vector<std::string> &args) {
-        const Outcome outcome = imgtool::Run(args);
+        const Outcome outcome = cli::Run(kTool, args);
         EXPECT_EQ(outcome.exitCode, 1) << outcome.out;
         EXPECT_EQ(outcome.out, "");
         return outcome.err;

@@ -75,7 +75,7 @@ Outcome Average(Args args) {
     AddOutfile(&app, &outfile);
     app.add_option("--variance-outfile", varianceFile,
                    "picture of the variance of each mean value, as diff --variance reads it");
-    if (auto end = Parse(&app, args)) return *end;
+    if (auto end = cli::Parse(&app, args)) return *end;
     const OrError<std::vector<std::string>> files = FilesOf(names);
     if (!files) return Failure(files.error);
 

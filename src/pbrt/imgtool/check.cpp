@@ -50,7 +50,7 @@ Outcome Check(Args args) {
                    "test too that the hues of two of eight upright strips differ by this many "
                    "degrees at least")
         ->check(CLI::Range(0, 180));
-    if (auto end = Parse(&app, args)) return *end;
+    if (auto end = cli::Parse(&app, args)) return *end;
     const OrError<Image> image = ReadPart(file, {"R", "G", "B"}, {});
     if (!image) return Failure(image.error);
     double sum = 0;

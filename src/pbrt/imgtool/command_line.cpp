@@ -1,36 +1,6 @@
 #include "pbrt/imgtool/command_line.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-
-#include "pbrt/util/args.h"
-
 namespace pbrt::imgtool {
-
-Outcome Failure(std::string_view reason) {
-    return {1, {}, fmt::format("imgtool: {}\n", reason)};
-}
-
-std::optional<Outcome> Parse(CLI::App *app, Args args) {
-    NormalizedArgs normalized = NormalizeArgs(args, ArgOptionsOf(*app));
-    const auto mistake = [&](std::string_view text) {
-        return Outcome{1,
-                       {},
-                       fmt::format("{}: {}\n(\"{} --help\" lists the options)\n", app->get_name(),
-                                   text, app->get_name())};
-    };
-    if (!normalized.error.empty()) return mistake(normalized.error);
-    std::reverse(normalized.args.begin(), normalized.args.end());  // CLI11 takes them from the back
-    try {
-        app->parse(normalized.args);
-    } catch (const CLI::CallForHelp &) {
-        return Outcome{0, app->help(), {}};
-    } catch (const CLI::ParseError &e) {
-        return mistake(e.what());
-    }
-    return {};
-}
 
 void AddCrop(CLI::App *app, std::vector<int> *crop) {
     app->add_option("--crop", *crop,

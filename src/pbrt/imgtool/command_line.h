@@ -1,24 +1,19 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "pbrt/image/image.h"
 #include "pbrt/imgtool/commands.h"
 
+// Options that several commands share, and the picture they write.
+
 namespace pbrt::imgtool {
 
-/// The user's mistake: "imgtool: reason" and exit code 1.
-Outcome Failure(std::string_view reason);
-
-/// Fills the variables bound to `app`'s options, spelled as pbrt allows. Something is returned
-/// where the command ends here: help, or a mistake.
-std::optional<Outcome> Parse(CLI::App *app, Args args);
-
-/// `--crop x0,x1,y0,y1`, `--channels R,G,B`: shared by several commands.
+/// `--crop x0,x1,y0,y1` and `--channels R,G,B`.
 void AddCrop(CLI::App *app, std::vector<int> *crop);
 void AddChannels(CLI::App *app, std::vector<std::string> *channels);
+/// `--outfile`, required.
 void AddOutfile(CLI::App *app, std::string *outfile);
 
 /// Writes, or says why not.

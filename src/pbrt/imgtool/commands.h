@@ -1,30 +1,20 @@
 #pragma once
 
-#include <span>
-#include <string>
 #include <string_view>
+
+#include "pbrt/cli/tool.h"
 
 namespace pbrt::imgtool {
 
-using Args = std::span<const std::string>;
+using cli::Args;
+using cli::Outcome;
 
-/// What a command prints and how the process ends.
-struct Outcome {
-    int exitCode = 0;
-    std::string out, err;
-};
+extern const cli::Tool kTool;
 
-struct Command {
-    std::string_view name, summary;
-    Outcome (*run)(Args args);  ///< `args` without the command's name
-};
-
-/// In alphabetical order.
-std::span<const Command> Commands();
-
-/// imgtool as a whole: `args` without the program's name. No arguments, `help` or `help <command>`:
-/// the manual.
-Outcome Run(Args args);
+/// The user's mistake.
+inline Outcome Failure(std::string_view reason) {
+    return cli::Failure("imgtool", reason);
+}
 
 Outcome Average(Args args);
 Outcome Check(Args args);

@@ -49,7 +49,7 @@ std::optional<Outcome> ParseOptions(Args args, Options *o) {
         ->check(CLI::Range(1, 1024));
     app.add_flag("--flipy", o->flipY, "upside down");
     app.add_flag("--fp16", o->fp16, "half floats in EXR (default: as the input)");
-    return Parse(&app, args);
+    return cli::Parse(&app, args);
 }
 
 std::optional<std::string> ToColorSpace(const std::string &name, Image *image) {

@@ -38,7 +38,7 @@ std::optional<Outcome> ParseOptions(Args args, Options *o) {
         ->check(CLI::PositiveNumber);
     AddChannels(&app, &o->channels);
     AddCrop(&app, &o->crop);
-    return Parse(&app, args);
+    return cli::Parse(&app, args);
 }
 
 /// Where none are named: R, G and B, if both have them.

@@ -24,7 +24,7 @@ std::optional<Outcome> ParseOptions(Args args, Options *o) {
     app.add_option("--metric", o->metric, "MSE (default), MAE or MRSE");
     app.add_option("--errorfile", o->errorFile, "picture of the error of each value");
     AddCrop(&app, &o->crop);
-    return Parse(&app, args);
+    return cli::Parse(&app, args);
 }
 
 }  // namespace

@@ -83,7 +83,7 @@ Outcome Info(Args args) {
         "linear values.",
         "imgtool info");
     app.add_option("files", files, "pictures")->required();
-    if (auto end = Parse(&app, args)) return *end;
+    if (auto end = cli::Parse(&app, args)) return *end;
     Outcome outcome;
     for (const std::string &file : files) {
         const OrError<Image> image = ReadImage(file);

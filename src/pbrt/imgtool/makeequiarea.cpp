@@ -55,7 +55,7 @@ Outcome MakeEquiArea(Args args) {
     AddOutfile(&app, &outfile);
     app.add_option("--resolution", resolution, "pixels along the edge (default: the input's width)")
         ->check(CLI::Range(1, 32768));
-    if (auto end = Parse(&app, args)) return *end;
+    if (auto end = cli::Parse(&app, args)) return *end;
     const OrError<Image> latLong = ReadImage(file);
     if (!latLong) return Failure(latLong.error);
     const auto [width, height] = latLong.value->Resolution();
