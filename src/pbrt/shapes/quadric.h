@@ -5,6 +5,7 @@
 #include "pbrt/shapes/rounding.h"
 #include "pbrt/shapes/surface_point.h"
 #include "pbrt/shapes/types.h"
+#include "pbrt/util/atan2.h"
 
 namespace pbrt {
 
@@ -19,8 +20,8 @@ inline Vector3d ObjectPoint(const Transform &renderFromObject, const Hit &hit, c
 
 /// Angle about z in [0, 2 pi].
 inline float Azimuth(float x, float y) {
-    const float phi = std::atan2(y, x);
-    return phi < 0 ? phi + 2 * Pi : phi;
+    const float phi = FastAtan2(y, x);
+    return phi + (phi < 0 ? 2 * Pi : 0);
 }
 
 /// Fills in what all quadrics share, from object space quantities; n: outward, any length.
@@ -51,7 +52,7 @@ inline float ThetaZMax(const Sphere &s) {
 /// (u, v) of a point on the sphere in object space: u along the azimuth, v from zmin to zmax.
 inline Point2f SphereUV(const Sphere &sphere, Vector3f p) {
     const float thetaMin = ThetaZMin(sphere), thetaMax = ThetaZMax(sphere);
-    const float theta = std::atan2(std::sqrt(Sqr(p.x) + Sqr(p.y)), p.z);
+    const float theta = FastAtan2(std::sqrt(Sqr(p.x) + Sqr(p.y)), p.z);
     return {Azimuth(p.x, p.y) / sphere.phiMax, (theta - thetaMin) / (thetaMax - thetaMin)};
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "pbrt/shapes/bilinear.h"
+#include "pbrt/util/atan2.h"
 #include "pbrt/util/math.h"
 
 namespace pbrt {
@@ -36,7 +37,7 @@ struct SeenRectangle {
     float G(float x) const {
         const float d2 = x * x + h * h;
         const float hr0 = h * std::sqrt(d2 + y0 * y0), hr1 = h * std::sqrt(d2 + y1 * y1);
-        return std::atan2(x * (y1 * hr0 - y0 * hr1), hr0 * hr1 + x * x * y0 * y1);
+        return FastAtan2(x * (y1 * hr0 - y0 * hr1), hr0 * hr1 + x * x * y0 * y1);
     }
 };
 

@@ -28,9 +28,17 @@ inline float UniformScale(const Transform &t) {
 inline float AreaStretch(const Transform &t, Normal3f n) {
     return Volume(t) * Length(t.Normal(n));
 }
-/// The same from the unit normal in rendering space.
+/// The same from the unit normal n in rendering space; n goes back by the transpose.
 inline float AreaStretchAt(const Transform &t, Normal3f n) {
-    return Volume(t) / Length(t.Inverse().Normal(n));
+    const Matrix4 &m = t.Matrix();
+    const auto column = [&](int j) { return m[0][j] * n.x + m[1][j] * n.y + m[2][j] * n.z; };
+    return Volume(t) / Length(Vector3f{column(0), column(1), column(2)});
+}
+/// A vector in object space.
+inline Vector3f ObjectVector(const Transform &t, Vector3f v) {
+    const Matrix4 &m = t.InverseMatrix();
+    const auto row = [&](int i) { return m[i][0] * v.x + m[i][1] * v.y + m[i][2] * v.z; };
+    return {row(0), row(1), row(2)};
 }
 
 /// A point in object space with unit normal n and density 1 / area there.
@@ -128,7 +136,7 @@ struct SeenSphere {
         sample.p = center + radius * n;
         sample.pError = Gamma(8) * (Abs(center) + Abs(radius * n));
         sample.n = s.flipNormal ? -n : n;
-        sample.uv = SphereUV(s, s.renderFromObject.Inverse().Vector(n) * radius);
+        sample.uv = SphereUV(s, ObjectVector(s.renderFromObject, n));
         sample.pdf = PDF();
         return sample;
     }

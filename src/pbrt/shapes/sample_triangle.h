@@ -3,6 +3,7 @@
 #include "pbrt/shapes/rounding.h"
 #include "pbrt/shapes/sample_common.h"
 #include "pbrt/shapes/types.h"
+#include "pbrt/util/atan2.h"
 #include "pbrt/util/math.h"
 #include "pbrt/util/sampling.h"
 
@@ -66,7 +67,7 @@ class TriangleSampler {
             det = AbsDot(a, Cross(b - a, c - a));
             sumC = Dot(a + b, c);
             sumAB = 1 + Dot(a, b);
-            solidAngle = 2 * std::atan2(det, sumC + sumAB);
+            solidAngle = 2 * FastAtan2(det, sumC + sumAB);
         }
         /// Smaller ones suffer from rounding and gain nothing; nearly a half sphere has no clear
         /// corners.
