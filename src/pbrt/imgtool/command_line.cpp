@@ -19,6 +19,11 @@ void AddOutfile(CLI::App *app, std::string *outfile) {
     app->add_option("--outfile", *outfile, "picture to write (.exr, .png, .pfm)")->required();
 }
 
+void AddComparison(CLI::App *app, std::string *reference, std::string *metric) {
+    app->add_option("--reference", *reference, "what the picture should be")->required();
+    app->add_option("--metric", *metric, "MSE (default), MAE or MRSE");
+}
+
 Outcome Write(const Image &image, const std::string &fileName, ExrPixels pixels) {
     if (auto reason = WriteImage(image, fileName, pixels)) return Failure(*reason);
     return {};

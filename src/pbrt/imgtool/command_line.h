@@ -15,6 +15,8 @@ void AddCrop(CLI::App *app, std::vector<int> *crop);
 void AddChannels(CLI::App *app, std::vector<std::string> *channels);
 /// `--outfile`, required.
 void AddOutfile(CLI::App *app, std::string *outfile);
+/// `--reference`, required, and `--metric`.
+void AddComparison(CLI::App *app, std::string *reference, std::string *metric);
 
 /// Writes, or says why not.
 Outcome Write(const Image &image, const std::string &fileName, ExrPixels pixels);

@@ -25,8 +25,7 @@ std::optional<Outcome> ParseOptions(Args args, Options *o) {
         "no tile differs by more than noise explains.",
         "imgtool diff");
     app.add_option("picture", o->file, "picture to judge")->required();
-    app.add_option("--reference", o->reference, "picture it should be")->required();
-    app.add_option("--metric", o->metric, "MSE (default), MAE or MRSE");
+    AddComparison(&app, &o->reference, &o->metric);
     app.add_option("--difftol", o->tolerance, "largest error that passes (default 0)");
     app.add_option("--outfile", o->outfile, "picture of the error of each value");
     app.add_option("--variance", o->variance, "picture of the variance of each reference value");

@@ -20,8 +20,7 @@ std::optional<Outcome> ParseOptions(Args args, Options *o) {
         "number of samples per pixel.",
         "imgtool error");
     app.add_option("files", o->files, "pictures, or the beginning of their names")->required();
-    app.add_option("--reference", o->reference, "picture they should be")->required();
-    app.add_option("--metric", o->metric, "MSE (default), MAE or MRSE");
+    AddComparison(&app, &o->reference, &o->metric);
     app.add_option("--errorfile", o->errorFile, "picture of the error of each value");
     AddCrop(&app, &o->crop);
     return cli::Parse(&app, args);
