@@ -55,7 +55,9 @@ class Barbule {
     Barbule(const BarbuleParams<T> &params, const Optics<T, N> &optics)
         : row(params.spacing, params.tilt, params.aspect),
           bend(params.opening),
-          melanin(optics.melanin) {
+          melanin(optics.melanin),
+          meanMelanin(Sum(optics.melanin) / N),
+          meanFilm({1}, {0}, Sum(optics.eta) / N) {
         for (int i = 0; i < N; ++i)
             films[i] = Film<T>(Nm<T>{optics.lambda[i]}, params.thickness, optics.eta[i]);
     }
@@ -64,31 +66,11 @@ class Barbule {
         return {wo, MeanNormal(wo), PigmentChance(std::abs(wo.z)), std::abs(wo.z) < kGrazing};
     }
 
-    // R, TRT, Pdf and PigmentChance are compiled once: inlined copies may round differently, and
-    // near the edge of what is seen a last bit decides between 0 and all.
-
     /// Reflection off the film, with interference.
-    [[gnu::noinline]] Spectrum R(const View<T> &view, Direction<T> wi) const {
-        const Glint glint = GlintTowards(view, wi);
-        if (!glint.fromWo || !glint.fromWi) return {};
-        Spectrum f;
-        const T scale = glint.density / (4 * std::abs(view.wo.z));
-        for (int i = 0; i < N; ++i)
-            f[i] = Finite(films[i].Reflectance(glint.cosine) * scale / std::abs(wi.z));
-        return f;
-    }
+    Spectrum R(const View<T> &view, Direction<T> wi) const { return Reflected(view.wo, wi); }
 
     /// In through the film, off the melanin, out through the film.
-    [[gnu::noinline]] Spectrum TRT(const View<T> &view, Direction<T> wi) const {
-        const Direction<T> &wo = view.wo;
-        if (view.grazing || std::abs(wi.z) < kGrazing || (row.Closed() && !SameSide(wo, wi)))
-            return {};
-        Spectrum f = Quadrature::Integrate(row, bend, films, wo, wi);
-        const T scale = 1 / (std::numbers::pi_v<T> * std::abs(wo.z));
-        for (int i = 0; i < N; ++i)
-            f[i] = Finite(melanin[i] * f[i] * scale / std::abs(wi.z));
-        return f;
-    }
+    Spectrum TRT(const View<T> &view, Direction<T> wi) const { return Returned(view.wo, wi); }
 
     /// R + TRT; the gap is a delta and not in f.
     Spectrum f(const View<T> &view, Direction<T> wi) const {
@@ -101,10 +83,9 @@ class Barbule {
 
     /// Density with which SampleDirection draws wi, 1/sr, the gap's delta apart; its integral is
     /// 1 - (1 - p_t) GapFraction(wo). Exact for every opening.
-    [[gnu::noinline]] T Pdf(const View<T> &view, Direction<T> wi) const {
-        if (view.grazing || std::abs(wi.z) < kGrazing) return 0;
-        const Glint glint = GlintTowards(view, wi);
-        const T reflected = glint.fromWo ? glint.density / (4 * std::abs(view.wo.z)) : T(0);
+    T Pdf(const View<T> &view, Direction<T> wi) const {
+        if (view.grazing || Grazing(wi)) return 0;
+        const T reflected = MirrorDensity(view.wo, wi);
         return Finite(view.pigmentChance * PigmentLobe(view, wi) +
                       (1 - view.pigmentChance) * reflected);
     }
@@ -143,39 +124,61 @@ class Barbule {
   private:
     static constexpr T kBelowOne = 1 - std::numeric_limits<T>::epsilon() / 2;
 
-    /// The facet that mirrors wo into wi.
-    struct Glint {
-        T density;  ///< D(m)
-        T cosine;   ///< m.wi
-        bool fromWo, fromWi;
-    };
-
     static T Finite(T x) { return std::min(x, std::numeric_limits<T>::max()); }
+    static bool Grazing(Direction<T> w) { return std::abs(w.z) < kGrazing; }
     static bool SameSide(Direction<T> a, Direction<T> b) { return (a.z < 0) == (b.z < 0); }
 
-    Glint GlintTowards(const View<T> &view, Direction<T> wi) const {
-        const Direction<T> m{view.wo.x + wi.x, view.wo.y + wi.y, view.wo.z + wi.z};
-        const T length = std::sqrt(Dot(m, m));
-        if (view.grazing || std::abs(wi.z) < kGrazing || length < kOpposite) return {};
-        const Facet<T> facet = FacetWithNormal(row, m, length);
-        return {FacetDensity(row, bend, facet), std::min(length / 2, T(1)),
-                Sees(row, bend, view.wo, facet), Sees(row, bend, wi, facet)};
-    }
-    /// wo + wi shorter than this has no direction that can be trusted.
-    static constexpr T kOpposite = 16 * std::numeric_limits<T>::epsilon();
+    // What is not inlined is compiled once: copies may round differently, and near the edge of what
+    // is seen the last bit decides between 0 and all.
 
-    /// p_t: the share of TRT in what a flat film of random thickness would return. Beyond 70
-    /// degrees the facets that are seen face wo better than the vane does (at 85 degrees TRT
-    /// returns 2 to 15 % of the light, the flat film 0.5 %), so that cosine is the least.
-    [[gnu::noinline, gnu::pure]] T PigmentChance(T cosine) const {
-        T pigment = 0, film = 0;
-        for (int i = 0; i < N; ++i) {
-            const T surface = films[i].SurfaceReflectance(std::clamp(cosine, T(0.35), T(1)));
-            const T rho = 2 * surface / (1 + surface);
-            film += rho;
-            pigment += melanin[i] * (1 - rho) * (1 - rho);
-        }
-        return pigment > 0 ? pigment / (pigment + film) : T(0);
+    [[gnu::noinline]] Spectrum Reflected(Direction<T> wo, Direction<T> wi) const {
+        if (Grazing(wo) || Grazing(wi)) return {};
+        const T length = HalfLength(wo, wi);
+        const Facet<T> facet = FacetTowards(wo, wi, length);
+        if (!Sees(row, bend, wo, facet) || !Sees(row, bend, wi, facet)) return {};
+        Spectrum f;
+        const T scale = FacetDensity(row, bend, facet) / (4 * std::abs(wo.z));
+        for (int i = 0; i < N; ++i)
+            f[i] =
+                Finite(films[i].Reflectance(std::min(length / 2, T(1))) * scale / std::abs(wi.z));
+        return f;
+    }
+
+    [[gnu::noinline]] Spectrum Returned(Direction<T> wo, Direction<T> wi) const {
+        if (Grazing(wo) || Grazing(wi) || (row.Closed() && !SameSide(wo, wi))) return {};
+        Spectrum f = Quadrature::Integrate(row, bend, films, wo, wi);
+        const T scale = 1 / (std::numbers::pi_v<T> * std::abs(wo.z));
+        for (int i = 0; i < N; ++i)
+            f[i] = Finite(melanin[i] * f[i] * scale / std::abs(wi.z));
+        return f;
+    }
+
+    /// Density of wi among the mirror directions of the facets that wo sees, 1/sr.
+    [[gnu::noinline]] T MirrorDensity(Direction<T> wo, Direction<T> wi) const {
+        const Facet<T> facet = FacetTowards(wo, wi, HalfLength(wo, wi));
+        if (!Sees(row, bend, wo, facet)) return 0;
+        return FacetDensity(row, bend, facet) / (4 * std::abs(wo.z));
+    }
+
+    /// The facet that mirrors wo into wi; at the pole, where nothing is seen, if the two are
+    /// opposite and their sum has no direction that could be trusted.
+    Facet<T> FacetTowards(Direction<T> wo, Direction<T> wi, T length) const {
+        if (length < 16 * std::numeric_limits<T>::epsilon()) return {};
+        return FacetWithNormal(row, {wo.x + wi.x, wo.y + wi.y, wo.z + wi.z}, length);
+    }
+    static T HalfLength(Direction<T> wo, Direction<T> wi) {
+        const Direction<T> m{wo.x + wi.x, wo.y + wi.y, wo.z + wi.z};
+        return std::sqrt(Dot(m, m));
+    }
+
+    /// p_t: the share of TRT in what a flat film of random thickness would return, by the
+    /// wavelengths' mean index and melanin. Beyond 70 degrees the facets that are seen face wo
+    /// better than the vane does (at 85 degrees TRT returns 2 to 15 % of the light, the flat film
+    /// 0.5 %), so that cosine is the least.
+    T PigmentChance(T cosine) const {
+        const T surface = meanFilm.SurfaceReflectance(std::clamp(cosine, T(0.35), T(1)));
+        const T rho = 2 * surface / (1 + surface), tau = meanMelanin * (1 - rho) * (1 - rho);
+        return tau > 0 ? tau / (tau + rho) : T(0);
     }
 
     /// The lobes for TRT are cosines about the vane's normal on wo's side, about the mean visible
@@ -206,7 +209,7 @@ class Barbule {
 
     /// The normal of the chord between the first and the last point that wo sees, in the segment
     /// that halves its view of the arc.
-    [[gnu::noinline, gnu::pure]] Direction<T> MeanNormal(Direction<T> wo) const {
+    Direction<T> MeanNormal(Direction<T> wo) const {
         const Direction<T> vane{0, 0, std::copysign(T(1), wo.z)};
         if (std::abs(wo.z) < kGrazing) return vane;
         const Segment<T> a = bend.Sample(wo, T(0.5));
@@ -234,6 +237,8 @@ class Barbule {
     Bend<T> bend;
     std::array<Film<T>, N> films;
     Spectrum melanin;
+    T meanMelanin;
+    Film<T> meanFilm;  ///< of the mean index; its thickness does not matter
 };
 
 }  // namespace pbrt::feather

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <time.h>
+
+#include <algorithm>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace pbrt::bench {
+
+/// Seconds of this thread's processor time: other processes' share is not counted (POSIX; <chrono>
+/// has no such clock).
+inline double ThreadSeconds() {
+    timespec t;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return t.tv_sec + 1e-9 * t.tv_nsec;
+}
+
+/// Timings that are compared with each other: measured in turn, round by round, and the least of
+/// each taken, so that all see the same quiet moments of the machine.
+class Stopwatch {
+  public:
+    /// `run` makes `calls` calls and returns a number made of their results.
+    void Add(const std::string &name, int calls, std::function<double()> run) {
+        entries.push_back({name, calls, std::move(run), 1e30});
+    }
+    void Run(int rounds) {
+        for (int r = 0; r < rounds; ++r)
+            for (Entry &e : entries) {
+                const double start = ThreadSeconds();
+                sink = sink + e.run();
+                e.seconds = std::min(e.seconds, ThreadSeconds() - start);
+            }
+    }
+    double Nanoseconds(const std::string &name) const {
+        const auto e = std::find_if(entries.begin(), entries.end(),
+                                    [&](const Entry &entry) { return entry.name == name; });
+        return e->seconds * 1e9 / e->calls;
+    }
+
+  private:
+    struct Entry {
+        std::string name;
+        int calls;
+        std::function<double()> run;
+        double seconds;
+    };
+    std::vector<Entry> entries;
+    volatile double sink = 0;
+};
+
+}  // namespace pbrt::bench
