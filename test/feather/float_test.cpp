@@ -33,6 +33,7 @@ TEST(Float, GlintIsWithinOneInAHundredThousand) {
         const auto wide = [](Direction<float> w) { return Direction<double>{w.x, w.y, w.z}; };
         const auto f32 = b32.R(b32.SeenFrom(wo), s->wi);
         const auto f64 = b64.R(b64.SeenFrom(wide(wo)), wide(s->wi));
+        if (f32[0] == 0 && f64[0] == 0) continue;  // the light's way is hidden
         ++lit;
         if ((f32[0] > 0) != (f64[0] > 0)) {
             ++edges;
