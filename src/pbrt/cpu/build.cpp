@@ -124,7 +124,8 @@ std::unique_ptr<World> BuildWorld(const Description &scene, const Overrides &ove
     ReadAccelerator(scene, log);
 
     const NamedTextures textures = BuildTextures(scene, world->camera.RenderFromWorld(), log);
-    world->filtersTextures = !textures.images.empty() && !scene.options.disableTextureFiltering;
+    world->filtersTextures =
+        textures.readFootprints && !scene.options.disableTextureFiltering;
     MaterialTable materials = BuildMaterials(scene, textures, *world, log);
     const std::vector<EmissiveShape> emitters =
         BuildShapes(scene, textures, materials, *world, log);
