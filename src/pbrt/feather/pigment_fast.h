@@ -17,6 +17,10 @@
 
 namespace pbrt::feather {
 
+// The loops below have neither branches nor calls: they become vector code, if everything in them
+// is inlined. In a large translation unit compilers stop inlining, so the functions used there
+// insist.
+
 /// Nodes of a quadrature over bend angle and cross-section, on [-1, 1]: `Points` for each of
 /// `Segments`. Multiples of 4 fill vector registers.
 template <std::floating_point T, int Segments, int Points>
@@ -30,14 +34,15 @@ struct GridRule {
 /// differ little.
 template <std::floating_point T, int Segments, int Points, bool Dealt>
 constexpr GridRule<T, Segments, Points> MakeGridRule() {
+    constexpr int kRule = Dealt ? Segments * Points : Points;
     constexpr auto segments = MakeGaussLegendre<T, Segments>();
-    constexpr auto points = MakeGaussLegendre < T, Dealt ? Segments * Points : Points > ();
+    constexpr auto points = MakeGaussLegendre<T, kRule>();
     GridRule<T, Segments, Points> rule{segments.node, segments.weight, {}, {}};
     for (int s = 0; s < Segments; ++s)
         for (int k = 0; k < Points; ++k) {
-            rule.point[s][k] = points.node[Dealt ? k * Segments + s : k];
-            rule.weight[s][k] =
-                points.weight[Dealt ? k * Segments + s : k] * (Dealt ? Segments : 1);
+            const int from = Dealt ? k * Segments + s : k;
+            rule.point[s][k] = points.node[from];
+            rule.weight[s][k] = points.weight[from] * (Dealt ? Segments : 1);
         }
     return rule;
 }
@@ -118,14 +123,16 @@ struct CommonArcs {
             const Planar<T> firstI{views.firstN[i], views.firstX[i]};
             const Planar<T> lastO{views.lastN[s], views.lastX[s]};
             const Planar<T> lastI{views.lastN[i], views.lastX[i]};
-            const bool laterFirst = Before(g, firstO, firstI),
-                       earlierLast = Before(g, lastI, lastO);
+            const bool laterFirst = Before(g, firstO, firstI);
+            const bool earlierLast = Before(g, lastI, lastO);
             const Planar<T> first{laterFirst ? firstI.n : firstO.n,
                                   laterFirst ? firstI.x : firstO.x};
             const Planar<T> last{earlierLast ? lastI.n : lastO.n, earlierLast ? lastI.x : lastO.x};
             const bool seen = Before(g, first, last) && Dot(g, g) > 2 * opposite;
             const Planar<T> from{first.n, squash * first.x}, to{last.n, squash * last.x};
-            const T fromLength = std::sqrt(Dot(from, from)), toLength = std::sqrt(Dot(to, to));
+            // At least 0.4 but for a direction along the barbule, whose points are at 0.
+            const T fromLength = std::sqrt(std::max(Dot(from, from), T(0.1)));
+            const T toLength = std::sqrt(std::max(Dot(to, to), T(0.1)));
             // As in Arc::Between, of the unit vectors times both lengths.
             const Planar<T> a{from.n * toLength, from.x * toLength};
             const Planar<T> b{to.n * fromLength, to.x * fromLength};
@@ -139,8 +146,35 @@ struct CommonArcs {
     }
 };
 
-/// The integral of TRT (see PigmentIntegral) by a rule known at compile time. Its loops have
-/// neither branches nor calls, so that they become vector code.
+/// The nodes of a rule: squared cosines to both directions, and weights with all else that the film
+/// does not change.
+template <std::floating_point T, int Segments, int Points>
+struct PigmentNodes {
+    std::array<T, Segments * Points> cosSqrO, cosSqrI, weight;
+
+    PigmentNodes(const SegmentViews<T, Segments> &views, const CommonArcs<T, Segments> &arcs, T b,
+                 T squash, const GridRule<T, Segments, Points> &rule,
+                 const std::array<T, Segments> &segmentWeight) {
+        const T unsquash = 1 / squash;
+        for (int s = 0; s < Segments; ++s)
+            for (int k = 0; k < Points; ++k) {
+                const int at = s * Points + k, i = s + Segments;
+                const T q = arcs.chord[s] * rule.point[s][k], along = std::sqrt(1 - q * q);
+                const T n = along * arcs.middleN[s] - q * arcs.middleX[s];
+                const T x = (along * arcs.middleX[s] + q * arcs.middleN[s]) * unsquash;
+                // Squared lengths of the point and of its normal; cosines times the latter's root.
+                const T length = n * n + x * x, normal = n * n + b * b * x * x;
+                const T o = std::max(T(0), views.axesN[s] * n + views.axesX[s] * b * x);
+                const T c = std::max(T(0), views.axesN[i] * n + views.axesX[i] * b * x);
+                cosSqrO[at] = o * o / normal;
+                cosSqrI[at] = c * c / normal;
+                weight[at] = segmentWeight[s] * arcs.share[s] * rule.weight[s][k] * o * c /
+                             (along * length * std::sqrt(length * normal));
+            }
+    }
+};
+
+/// The integral of TRT (see PigmentIntegral) by a rule known at compile time.
 template <int Segments, int Points, std::floating_point T, std::size_t N>
 std::array<T, N> PigmentByRule(const Row<T> &row, const Bend<T> &bend,
                                const std::array<Film<T>, N> &films, Direction<T> wo,
@@ -148,41 +182,25 @@ std::array<T, N> PigmentByRule(const Row<T> &row, const Bend<T> &bend,
     const std::optional<Arc<T>> seen = bend.SeenByBoth(wo, wi);
     if (!seen) return {};
     std::array<Segment<T>, Segments> segments;
-    std::array<T, Segments> rate;
+    std::array<T, Segments> segmentWeight;
     for (int s = 0; s < Segments; ++s) {
-        const auto [a, speed] = seen->At(rule.segment[s]);
+        const auto [a, rate] = seen->At(rule.segment[s]);
         segments[s] = {a.x, a.n};
-        rate[s] = speed * rule.segmentWeight[s];
+        segmentWeight[s] = rate * rule.segmentWeight[s];
     }
-    const T b = row.Aspect(), squash = std::clamp(std::sqrt(b), T(0.4), T(2.5));
+    const T squash = std::clamp(std::sqrt(row.Aspect()), T(0.4), T(2.5));
     const SegmentViews<T, Segments> views(row, wo, wi, segments);
     const CommonArcs<T, Segments> arcs(views, squash);
     if (Sum(arcs.share) == 0) return {};
+    const PigmentNodes<T, Segments, Points> nodes(views, arcs, row.Aspect(), squash, rule,
+                                                  segmentWeight);
 
-    constexpr int kNodes = Segments * Points;
-    std::array<T, kNodes> cosSqrO, cosSqrI, dA;
-    const T unsquash = 1 / squash;
-    for (int s = 0; s < Segments; ++s)
-        for (int k = 0; k < Points; ++k) {
-            const int at = s * Points + k, i = s + Segments;
-            const T q = arcs.chord[s] * rule.point[s][k], along = std::sqrt(1 - q * q);
-            const T n = along * arcs.middleN[s] - q * arcs.middleX[s];
-            const T x = (along * arcs.middleX[s] + q * arcs.middleN[s]) * unsquash;
-            // The point's length squared, the normal's, and the cosines times the latter's root.
-            const T length = n * n + x * x, normal = n * n + b * b * x * x;
-            const T o = std::max(T(0), views.axesN[s] * n + views.axesX[s] * b * x);
-            const T c = std::max(T(0), views.axesN[i] * n + views.axesX[i] * b * x);
-            cosSqrO[at] = o * o / normal;
-            cosSqrI[at] = c * c / normal;
-            dA[at] = rate[s] * arcs.share[s] * rule.weight[s][k] * o * c /
-                     (along * length * std::sqrt(length * normal));
-        }
-    const T scale = unsquash / (2 * row.Spacing() * bend.SinOpening());
+    const T scale = 1 / (2 * row.Spacing() * bend.SinOpening() * squash);
     std::array<T, N> integral;
     for (std::size_t i = 0; i < N; ++i) {
-        std::array<T, kNodes> part;
-        for (int k = 0; k < kNodes; ++k)
-            part[k] = dA[k] * films[i].ThroughTwice(cosSqrO[k], cosSqrI[k]);
+        std::array<T, Segments * Points> part;
+        for (int k = 0; k < Segments * Points; ++k)
+            part[k] = nodes.weight[k] * films[i].ThroughTwice(nodes.cosSqrO[k], nodes.cosSqrI[k]);
         integral[i] = Sum(part) * scale;
     }
     return integral;
@@ -199,8 +217,11 @@ struct FixedRule {
     }
 };
 
-/// The quadrature that renders: more segments where the arc is bent, or seen along its slope, so
-/// that they differ more; more points where a thick film has more fringes.
+/// The quadrature that renders: more segments where the arc is bent or seen along its slope, so
+/// that they differ more; more points where a thick film has more fringes. Error rms relative to
+/// the mean, of light (f |cos cos|): 0.07 % at the defaults, below 0.2 % for shapes of the paper,
+/// 0.35 % for d = 2 um, 1.2 % for 5 um; of f, with its weight on grazing pairs, 0.2 %. MODEL's 8 x
+/// 2 nodes in e and a: 0.37 and 1.9 % at the defaults, 1.4 % for 2 um.
 struct AdaptiveRule {
     template <std::floating_point T, std::size_t N>
     static std::array<T, N> Integrate(const Row<T> &row, const Bend<T> &bend,
@@ -209,24 +230,36 @@ struct AdaptiveRule {
         T fringes = 0;
         for (const Film<T> &film : films)
             fringes = std::max(fringes, film.fringes);
-        const auto slanted = [&](Direction<T> w) {
-            return std::abs(w.y) * bend.SinOpening() > T(0.4) * std::abs(w.z);
-        };
-        const bool alike = bend.Opening() * std::max(T(1), fringes / T(2.5)) <= T(0.2) &&
-                           !slanted(wo) && !slanted(wi);
-        if (fringes > 4) return Among<16>(alike, row, bend, films, wo, wi);
-        return Among<8>(alike, row, bend, films, wo, wi);
+        const int segments = Segments(bend, fringes, wo, wi);
+        return fringes > 4 ? WithPoints<16>(segments, row, bend, films, wo, wi)
+                           : WithPoints<8>(segments, row, bend, films, wo, wi);
     }
 
   private:
+    template <std::floating_point T>
+    static int Segments(const Bend<T> &bend, T fringes, Direction<T> wo, Direction<T> wi) {
+        // By how much |w.z_a| changes along the arc, relative to its middle, is above `change`.
+        const auto slanted = [&](T change) {
+            return std::abs(wo.y) * bend.SinOpening() > change * std::abs(wo.z) ||
+                   std::abs(wi.y) * bend.SinOpening() > change * std::abs(wi.z);
+        };
+        const bool alike = bend.Opening() * std::max(T(1), fringes / T(2.5)) <= T(0.2);
+        if (alike && !slanted(T(0.3))) return 2;
+        return bend.Opening() > T(0.7) || slanted(T(0.6)) ? 8 : 4;
+    }
+
     template <int Points, std::floating_point T, std::size_t N>
-    static std::array<T, N> Among(bool alike, const Row<T> &row, const Bend<T> &bend,
-                                  const std::array<Film<T>, N> &films, Direction<T> wo,
-                                  Direction<T> wi) {
-        if (alike) return FixedRule<2, Points, true>::Integrate(row, bend, films, wo, wi);
-        if (bend.Opening() <= T(0.7))
-            return FixedRule<4, Points, false>::Integrate(row, bend, films, wo, wi);
-        return FixedRule<8, Points, false>::Integrate(row, bend, films, wo, wi);
+    static std::array<T, N> WithPoints(int segments, const Row<T> &row, const Bend<T> &bend,
+                                       const std::array<Film<T>, N> &films, Direction<T> wo,
+                                       Direction<T> wi) {
+        switch (segments) {
+            case 2:
+                return FixedRule<2, Points, true>::Integrate(row, bend, films, wo, wi);
+            case 4:
+                return FixedRule<4, Points, false>::Integrate(row, bend, films, wo, wi);
+            default:
+                return FixedRule<8, Points, false>::Integrate(row, bend, films, wo, wi);
+        }
     }
 };
 
