@@ -12,17 +12,7 @@ namespace {
 
 using feather::Shape;
 
-constexpr double kEta = 1.532 + 5890 / (ModelSide::kLambda * ModelSide::kLambda);
 const DirectionBins kOneBin({}, 1, 1);
-
-Vec3 Towards(double theta, double phi) {
-    const feather::Direction<double> w = feather::Spherical(theta, phi);
-    return {w.x, w.y, w.z};
-}
-
-BentRow RowOf(const Shape &s) {
-    return {s.spacing, s.tilt, s.aspect, ModelSide::Opening(s)};
-}
 
 // White furnace, film = 1, one bounce. The figures are a straight row's; .5257 is .0002 too high
 // for that (.52552, by a deterministic count) and .0003 for the bent one.
@@ -42,11 +32,11 @@ TEST(Anchors, WhiteFurnaceOfOneBounce) {
             const Vec3 w = side * Towards(r.theta, 0);
             // A film a quarter of a wave thick leaves no angle without reflection to divide by.
             Shape shape = r.shape;
-            shape.thickness = ModelSide::kLambda / (4 * kEta);
-            const ModelSide model(shape, kEta, 0);
+            shape.thickness = ModelSide::kLambda / (4 * ModelSide::kEta);
+            const ModelSide model(shape, 0);
             const Estimate closed = model.IntegrateR(w, kOneBin, ++seed, 1024).mirrored;
             const RowLight light =
-                RowTracer(RowOf(shape), mirror, kOneBin, kOneBin).Trace(w, {++seed, 1024});
+                RowTracer(BentRowOf(shape), mirror, kOneBin, kOneBin).Trace(w, {++seed, 1024});
             ExpectSame(closed, light.single, "mirrored");
             EXPECT_NEAR(light.single.mean, r.reflected,
                         r.tolerance + CriticalSigmas() * light.single.error);
@@ -61,16 +51,16 @@ TEST(Anchors, GivesNoMoreThanItGetsAlongTheBarbule) {
     for (const double thickness : {580, 650})
         for (const double theta : {60, 80, 87}) {
             const Shape shape{.thickness = thickness};
-            const ModelSide reflecting(shape, kEta, 0), scattering(shape, kEta, 1);
+            const ModelSide reflecting(shape, 0), scattering(shape, 1);
             const Vec3 w = Towards(theta, 90);
             const Estimate gap{reflecting.Gap(w), 0};
             const Estimate r = reflecting.IntegrateR(w, kOneBin, 7100, 1024).all;
             const Estimate trt = scattering.IntegrateTRT(w, kOneBin, 7101, 64).all;
             const Estimate all = r + trt + gap;
             EXPECT_LE(all.mean + CriticalSigmas() * all.error, 1);
-            const FilmOverMelanin optics{{ModelSide::kLambda, thickness, kEta}, 1};
+            const FilmOverMelanin optics{{ModelSide::kLambda, thickness, ModelSide::kEta}, 1};
             const RowLight light =
-                RowTracer(RowOf(shape), optics, kOneBin, kOneBin).Trace(w, {7102, 1024});
+                RowTracer(BentRowOf(shape), optics, kOneBin, kOneBin).Trace(w, {7102, 1024});
             ExpectSame(all, light.gap + light.single + light.pigment, "R + TRT + T");
         }
 }
@@ -116,13 +106,14 @@ TEST(Anchors, SamplesReturnWhatIsTraced) {
                 const Vec3 w = side * Towards(theta, phi);
                 feather::Optics<float, 4> optics;
                 optics.lambda.fill(float(ModelSide::kLambda));
-                optics.eta.fill(float(kEta));
+                optics.eta.fill(float(ModelSide::kEta));
                 optics.melanin.fill(0.5f);
                 const Sampled barbule(feather::ParamsOf<float>(shape), optics);
                 const Drawn drawn = Draw(barbule, w, ++seed, 512);
-                const FilmOverMelanin film{{ModelSide::kLambda, shape.thickness, kEta}, 0.5};
+                const FilmOverMelanin film{{ModelSide::kLambda, shape.thickness, ModelSide::kEta},
+                                           0.5};
                 const RowLight light =
-                    RowTracer(RowOf(shape), film, kOneBin, kOneBin).Trace(w, {++seed, 512});
+                    RowTracer(BentRowOf(shape), film, kOneBin, kOneBin).Trace(w, {++seed, 512});
                 const Estimate scattered = light.single + light.pigment;
                 EXPECT_NEAR(
                     drawn.scattered.mean, scattered.mean,

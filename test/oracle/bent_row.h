@@ -53,16 +53,27 @@ class BentRow {
         return {-met.x, -met.z};
     }
 
-    /// Density of Lit's bend angle, per radian, for u even in [0, 1].
-    double LitDensity(Vec3 w, Segment a) const {
-        if (FarPoint(a, w).z < -cosOpening) return 0;
-        return std::abs((w.y * a.sin + w.z * a.cos) / w.z) / (2 * sinOpening);
-    }
-
     /// The point that the light from w meets if it crosses the mouth at share u0 of its width and
     /// the straight row there at share u1 of its period; none in a gap.
     std::optional<Hit> Enter(Vec3 w, double u0, double u1) const {
         return Meet(Lit(w, u0), -w, u1);
+    }
+
+    /// The point of a segment's surface, if it is one, with eccentric angle e.
+    std::optional<Hit> At(Segment a, double e) const {
+        const EllipseRow::Hit point = row.PointAt(e);
+        if (row.Buried(point.point)) return {};
+        return Surface(a, point);
+    }
+    double EccentricAngle(const Hit &h) const { return row.EccentricAngle(h.point, h.barbule); }
+
+    /// Density of Enter's points for even u0 and u1, per radian of bend angle and of eccentric
+    /// angle: the area of surface there, as w sees it.
+    double HitDensity(Vec3 w, const Hit &h) const {
+        const double cosine = Dot(w, h.normal);
+        if (cosine <= 0 || !Leaves(h, w)) return 0;
+        return row.Stretch(EccentricAngle(h)) * cosine /
+               (row.Spacing() * 2 * sinOpening * std::abs(w.z));
     }
 
     /// Whether light that starts at a point of the surface along d is away without meeting it.

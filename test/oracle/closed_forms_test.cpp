@@ -14,8 +14,6 @@ namespace {
 
 using feather::Shape;
 
-constexpr double kEta = 1.532 + 5890 / (ModelSide::kLambda * ModelSide::kLambda);
-
 struct Angles {
     double theta, phi;
 };
@@ -27,20 +25,15 @@ std::ostream &operator<<(std::ostream &out, Vec3 w) {
     return out << "(" << w.x << ", " << w.y << ", " << w.z << ")";
 }
 
-Vec3 Towards(Angles a) {
-    const feather::Direction<double> w = feather::Spherical(a.theta, a.phi);
-    return {w.x, w.y, w.z};
-}
-
 /// Model and tracer for one shape; the film lies over melanin that reflects everything.
 class Pair {
   public:
     explicit Pair(const Shape &shape)
         : shape(shape),
-          reflecting(shape, kEta, 0),
-          scattering(shape, kEta, 1),
-          row(shape.spacing, shape.tilt, shape.aspect, ModelSide::Opening(shape)),
-          optics{{ModelSide::kLambda, shape.thickness, kEta}, 1} {}
+          reflecting(shape, 0),
+          scattering(shape, 1),
+          row(BentRowOf(shape)),
+          optics{{ModelSide::kLambda, shape.thickness, ModelSide::kEta}, 1} {}
 
     struct Totals {
         double r, trt;  ///< in standard errors
@@ -92,7 +85,7 @@ TEST_P(ClosedForms, EqualTheTracer) {
     const Pair pair(GetParam());
     double r = 0, trt = 0, n = 0;
     for (const Angles a : kDirections)
-        for (const Vec3 w : {Towards(a), -Towards(a)}) {
+        for (const Vec3 w : {Towards(a.theta, a.phi), -Towards(a.theta, a.phi)}) {
             const Pair::Totals totals = pair.Compare(w, 1024, 1000 + 10 * std::uint64_t(n));
             r += totals.r;
             trt += totals.trt;
@@ -108,11 +101,41 @@ INSTANTIATE_TEST_SUITE_P(Shapes, ClosedForms,
                                          Shape{.tilt = 0.3}, Shape{.opening = 0.1571},
                                          Shape{.opening = 0.9}));
 
+Vec3 AnyDirection(feather::Dice &dice, double steepest) {
+    const double theta = dice.Uniform(0, steepest);
+    return Towards(theta, dice.Uniform(0, 360));
+}
+
+TEST(CornerShape, EqualsTheTracer) {
+    constexpr double right = std::numbers::pi / 2;
+    const Shape shapes[] = {
+        {.aspect = 0.001},
+        {.aspect = 1000},
+        {.spacing = 0.01, .aspect = 1},
+        {.spacing = 50},
+        {.spacing = 2, .tilt = 0},               // touching
+        {.spacing = 2, .tilt = 0, .aspect = 1},  // touching circles
+        {.tilt = right},
+        {.tilt = -right},
+        {.spacing = 3, .tilt = right, .aspect = 4},
+        {.opening = 0},
+        {.opening = 1.5},
+        {.spacing = 2.5, .tilt = -0.8, .opening = 1.5},
+        {.thickness = 20000},
+        {.thickness = 0},
+    };
+    feather::Dice dice(41);
+    std::uint64_t seed = 4000;
+    for (const Shape &shape : shapes)
+        for (const double side : {1, -1})
+            Pair(shape).Compare(side * AnyDirection(dice, 88), 512, seed += 10);
+}
+
 TEST(AnyShape, EqualsTheTracer) {
     feather::Dice dice(40);
     for (int k = 0; k < 60; ++k) {
         const Shape shape = dice.AnyShape();
-        const Vec3 w = Towards({dice.Uniform(0, 89), dice.Uniform(0, 360)});
+        const Vec3 w = AnyDirection(dice, 89);
         Pair(shape).Compare(k % 2 ? w : -w, 512, 5000 + 10 * std::uint64_t(k));
     }
 }

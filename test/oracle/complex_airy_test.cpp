@@ -86,9 +86,9 @@ TEST(Film, DoubleEqualsTheAirySum) {
     EXPECT_LT((WorstError<double, AirySum>(5, 2000, 1e-2)), 4e-13);
     EXPECT_LT((WorstError<double, AirySum>(6, 2000, 1e-3)), 2e-12);
 }
-// The anchor is 1e-4, from 0 to 89.99 degrees.
+// From 0 to 89.99 degrees; the published code is off by up to .074 and the anchor asks for 1e-4.
 TEST(Film, FloatIsNearTheTransferMatrix) {
-    EXPECT_LT((WorstError<float, TransferMatrix>(7, 2000, 1.8e-4)), 2e-6);
+    EXPECT_LT((WorstError<float, TransferMatrix>(7, 2000, 1.8e-4)), 1e-6);
 }
 
 // S-eq.3 against the product of the model's transmittances.

@@ -31,6 +31,29 @@ class EllipseRow {
     };
     static constexpr int kNone = 1 << 30;
 
+    /// The point of barbule 0 with eccentric angle e: aspect cos(e) along its own normal and sin(e)
+    /// across that.
+    Hit PointAt(double e) const {
+        const Vec2 point = (aspect * std::cos(e)) * shortAxis + std::sin(e) * longAxis;
+        return {0, point, Normal(point, 0), 0};
+    }
+    double EccentricAngle(Vec2 point, int barbule) const {
+        const Vec2 c{point.x - barbule * spacing, point.z};
+        return std::atan2(Dot(c, longAxis), Dot(c, shortAxis) / aspect);
+    }
+    /// Length of outline per radian of e.
+    double Stretch(double e) const { return std::hypot(std::cos(e), aspect * std::sin(e)); }
+
+    /// Whether a point of barbule 0 lies inside another one.
+    bool Buried(Vec2 point) const {
+        const int reach = int(2 * std::max(1.0, aspect) / spacing) + 1;
+        for (int k = -reach; k <= reach; ++k) {
+            const Vec2 c{point.x - k * spacing, point.z};
+            if (k != 0 && std::hypot(Dot(c, shortAxis) / aspect, Dot(c, longAxis)) < 1) return true;
+        }
+        return false;
+    }
+
     /// The first barbule that the ray o + s d meets at s > `from`, `except` apart.
     std::optional<Hit> FirstHit(Vec2 o, Vec2 d, double from, int except = kNone) const {
         double nearest = kNever;

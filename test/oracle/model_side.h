@@ -12,22 +12,35 @@
 
 namespace pbrt::oracle {
 
+/// theta from the normal and phi from the x axis, in degrees.
+inline Vec3 Towards(double theta, double phi) {
+    const feather::Direction<double> w = feather::Spherical(theta, phi);
+    return {w.x, w.y, w.z};
+}
+
+/// MODEL 4.3 takes a straight row for one of this opening.
+inline double Opening(const feather::Shape &shape) {
+    return std::max(shape.opening, 1e-3);
+}
+
+inline BentRow BentRowOf(const feather::Shape &s) {
+    return {s.spacing, s.tilt, s.aspect, Opening(s)};
+}
+
 /// The model of src/pbrt/feather in double at one wavelength, and what the twins need to know of
 /// it: integrals of its R, Pdf and TRT over bins of directions. None of it uses the model's own
 /// sampler.
 class ModelSide {
   public:
     using Model = feather::Barbule<double, 1, feather::Converged<1, 1>>;
-    static constexpr double kLambda = 520;
+    static constexpr double kLambda = 520;                              ///< nm
+    static constexpr double kEta = 1.532 + 5890 / (kLambda * kLambda);  ///< keratin's
 
-    ModelSide(const feather::Shape &shape, double eta, double melanin)
-        : model(feather::ParamsOf<double>(shape), {{kLambda}, {eta}, {melanin}}),
-          film({kLambda}, {shape.thickness}, eta),
-          row(shape.spacing, shape.tilt, shape.aspect, Opening(shape)),
+    ModelSide(const feather::Shape &shape, double melanin)
+        : model(feather::ParamsOf<double>(shape), {{kLambda}, {kEta}, {melanin}}),
+          film({kLambda}, {shape.thickness}, kEta),
+          row(BentRowOf(shape)),
           shape(shape) {}
-
-    /// MODEL 4.3 takes a straight row for one of this opening.
-    static double Opening(const feather::Shape &shape) { return std::max(shape.opening, 1e-3); }
 
     double Gap(Vec3 w) const { return model.GapFraction(ToModel(w)); }
 
@@ -39,7 +52,7 @@ class ModelSide {
     };
 
     /// Integrates over the facets' normals m, of which every direction wi = Mirrored(-wo, m) has
-    /// one: dwi = 4 |m.wo| dm and dm = |cos gamma| da dgamma.
+    /// one: dwi = 4 |m.wo| dm.
     Reflected IntegrateR(Vec3 wo, const DirectionBins &directions, std::uint64_t seed,
                          int samples) const {
         const std::size_t n = directions.Size();
@@ -116,40 +129,42 @@ class ModelSide {
   private:
     static feather::Direction<double> ToModel(Vec3 w) { return {w.x, w.y, w.z}; }
 
-    /// visit(wi, m.wo, dwi) for facets turned to wo. Even in the eccentric angle e, which has
-    /// tan(gamma - tilt) = aspect tan(e). Of the bend angles three quarters are drawn where the
-    /// tracer finds light, and one quarter anywhere, so that none can be missed.
+    /// visit(wi, m.wo, dwi) for facets turned to wo. Half of them are drawn where the tracer's
+    /// light falls, half evenly in bend angle and eccentric angle, so that none can be missed.
     template <class Visit>
     void ForEachFacet(Vec3 wo, std::mt19937_64 &random, int samples, const Visit &visit) const {
         EvenPoints<2> points(random);
-        const double opening = Opening(shape);
+        const double opening = Opening(shape), even = 1 / (4 * opening * std::numbers::pi);
         for (int i = 0; i < samples; ++i) {
             const auto [u0, u1] = points.Next();
-            const double anywhere = opening * (8 * u0 - 7), e = 2 * std::numbers::pi * u1;
-            const BentRow::Segment a =
-                u0 < 0.75 ? row.Lit(wo, u0 / 0.75)
-                          : BentRow::Segment{std::sin(anywhere), std::cos(anywhere)};
-            const double density = 0.75 * row.LitDensity(wo, a) + 0.25 / (2 * opening);
+            const double a = opening * (4 * u0 - 3);
+            const auto hit = u0 < 0.5
+                                 ? row.Enter(wo, 2 * u0, u1)
+                                 : row.At({std::sin(a), std::cos(a)}, 2 * std::numbers::pi * u1);
+            if (!hit || Dot(hit->normal, wo) <= 0) continue;
+            // gamma - tilt is the angle of (cos e, aspect sin e); dm = |cos gamma| da dgamma
+            const double cosine = Dot(hit->normal, wo), e = row.EccentricAngle(*hit);
             const double n = std::cos(e), x = shape.aspect * std::sin(e);
-            const double gamma = shape.tilt + std::atan2(x, n), across = std::cos(gamma);
-            const Vec3 m{std::sin(gamma), across * a.sin, across * a.cos};
-            const double cosine = Dot(m, wo);
-            if (cosine <= 0) continue;
-            const double dgamma = 2 * std::numbers::pi * shape.aspect / (n * n + x * x);
-            visit(Mirrored(-wo, m), cosine, 4 * cosine * std::abs(across) * dgamma / density);
+            const double dm =
+                std::hypot(hit->normal.y, hit->normal.z) * shape.aspect / (n * n + x * x);
+            const double density = (row.HitDensity(wo, *hit) + even) / 2;
+            visit(Mirrored(-wo, hit->normal), cosine, 4 * cosine * dm / density);
         }
     }
 
-    /// visit(wi, |wi.z| dwi), cosine-weighted over both hemispheres; `samples` is even.
+    /// visit(wi, |wi.z| dwi) over both hemispheres, half of it cosine-weighted and half even;
+    /// `samples` is even.
     template <class Visit>
     void ForEachDirection(std::mt19937_64 &random, int samples, const Visit &visit) const {
         EvenPoints<2> points(random);
         for (int i = 0; i < samples; i += 2) {
             const auto [u0, u1] = points.Next();
-            const double angle = 2 * std::numbers::pi * u0, r = std::sqrt(u1);
+            const double z = u1 < 0.5 ? std::sqrt(1 - 2 * u1) : 2 * u1 - 1,
+                         r = std::sqrt(1 - z * z);
+            const double angle = 2 * std::numbers::pi * u0;
             for (const double side : {1, -1})
-                visit(Vec3{r * std::cos(angle), r * std::sin(angle), side * std::sqrt(1 - u1)},
-                      2 * std::numbers::pi);
+                visit(Vec3{r * std::cos(angle), r * std::sin(angle), side * z},
+                      8 * std::numbers::pi * z / (2 * z + 1));
         }
     }
 

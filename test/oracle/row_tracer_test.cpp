@@ -63,22 +63,35 @@ TEST(RowTracer, LosesNothing) {
             }
 }
 
-// The density of what Lit draws: its integral up to a bend angle is the share drawn below it.
-TEST(RowTracer, CupIsLitAsItsDensitySays) {
-    const BentRow row(1.25, -0.35, 0.25, 0.9);
-    for (const Vec3 w : {Vec3{0, 0, 1}, Vec3{0.6, 0.48, 0.64}, Vec3{0, 0.99, std::sqrt(1 - 0.9801)},
-                         Vec3{0, 0.99, -std::sqrt(1 - 0.9801)}}) {
-        const int n = 200000;
-        for (const double bound : {-0.7, 0.0, 0.6, 0.85, 0.9}) {
-            double density = 0, drawn = 0;
-            for (int i = 0; i < n; ++i) {
-                const double a = -0.9 + (bound + 0.9) * (i + 0.5) / n;
-                density += row.LitDensity(w, {std::sin(a), std::cos(a)}) * (bound + 0.9) / n;
-                drawn += row.Lit(w, (i + 0.5) / n).sin <= std::sin(bound) ? 1.0 / n : 0;
+// The density of the points that light meets, over a part of the surface and over the rest, against
+// what is met there.
+TEST(RowTracer, LightFallsAsTheDensitySays) {
+    const auto part = [](const BentRow &row, const BentRow::Hit &hit) {
+        return hit.segment.sin > 0.4 && std::sin(row.EccentricAngle(hit)) > 0.2 ? 1 : 0;
+    };
+    const double opening = 0.9, cell = 4 * opening * std::numbers::pi;
+    for (const double spacing : {0.7, 2.5})
+        for (const Vec3 w : {Vec3{0, 0, 1}, Vec3{0.6, 0.48, 0.64}, Vec3{0.1, 0.7, std::sqrt(0.5)},
+                             Vec3{0, 0.99, -std::sqrt(1 - 0.9801)}}) {
+            const BentRow row(spacing, -0.35, 0.5, opening);
+            std::mt19937_64 random(4);
+            Replicates density(2), found(2);
+            for (int replicate = 0; replicate < kReplicates; ++replicate) {
+                EvenPoints<2> surface(random), light(random);
+                for (int i = 0; i < 512; ++i) {
+                    const auto [u, v] = surface.Next();
+                    const double a = opening * (2 * u - 1), e = 2 * std::numbers::pi * v;
+                    if (const auto hit = row.At({std::sin(a), std::cos(a)}, e))
+                        density.Add(part(row, *hit), row.HitDensity(w, *hit) * cell);
+                    const auto [x, y] = light.Next();
+                    if (const auto hit = row.Enter(w, x, y)) found.Add(part(row, *hit), 1);
+                }
+                density.Close(512);
+                found.Close(512);
             }
-            EXPECT_NEAR(density, drawn, 5e-5);
+            ExpectSame(density[0], found[0], "rest");
+            ExpectSame(density[1], found[1], "part");
         }
-    }
 }
 
 // MODEL section 8: a film that reflects everything. The figures are those of a straight row, so it

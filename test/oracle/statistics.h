@@ -112,11 +112,11 @@ inline double StudentQuantile(double p, int degrees) {
     return (lo + hi) / 2;
 }
 
-/// Significance: the suite makes fewer than 20 000 statistical comparisons, each of which may fail
-/// by chance with probability 0.01 / 20 000 (Bonferroni), so that all of them pass with 0.99.
+/// Significance: the suite makes fewer than 25 000 statistical comparisons, each of which may fail
+/// by chance with probability 0.01 / 25 000 (Bonferroni), so that all of them pass with 0.99.
 /// In standard errors; the estimates have kReplicates - 1 degrees of freedom.
 inline double CriticalSigmas() {
-    static const double sigmas = StudentQuantile(0.01 / 20000, kReplicates - 1);
+    static const double sigmas = StudentQuantile(0.01 / 25000, kReplicates - 1);
     return sigmas;
 }
 
