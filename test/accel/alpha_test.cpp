@@ -31,7 +31,8 @@ TEST(Alpha, ConstantIsTheShareOfHits) {
         patch.p = {{9, -1, 0}, {11, -1, 0.5f}, {9, 1, 0}, {11, 1, 0}};
         patch.indices = {0, 1, 2, 3};
         geometries[2].shape = patch;
-        for (Geometry &g : geometries) g.alpha = alpha;
+        for (Geometry &g : geometries)
+            g.alpha = alpha;
         const Accel accel(geometries, 3, {}, {}, 1);
         Rng rng(1);
         const int n = 40000;
@@ -61,7 +62,8 @@ TEST(Alpha, TextureIsLookedUpAtTheHit) {
     const int n = 5000;
     for (int k = 0; k < 8; ++k)
         for (int i = 0; i < n; ++i)
-            hits[k] += accel.Occluded(Down((k + rng.Uniform()) / 4 - 1, 1.9f * rng.Uniform() - 0.95f));
+            hits[k] +=
+                accel.Occluded(Down((k + rng.Uniform()) / 4 - 1, 1.9f * rng.Uniform() - 0.95f));
     for (int k = 0; k < 8; ++k) {
         const float share = (k + 0.5f) / 8;  // 5 sigma, at most that of a half
         EXPECT_NEAR(float(hits[k]) / n, share, 5 * 0.5f / std::sqrt(float(n)));

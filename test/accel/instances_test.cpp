@@ -15,7 +15,8 @@ TriangleMesh Blob(Rng &rng) {
         mesh.s.push_back(RandomDirection(rng));
         mesh.uv.push_back(rng.Uniform2D());
     }
-    for (int i = 0; i < 120; ++i) mesh.indices.push_back(rng.Below(60));
+    for (int i = 0; i < 120; ++i)
+        mesh.indices.push_back(rng.Below(60));
     return mesh;
 }
 
@@ -37,8 +38,8 @@ std::vector<Geometry> Models(const Transform &t) {
     }
     EXPECT_FALSE(bent.planar);
     EXPECT_TRUE(flat.planar);
-    list.push_back(Traced::Of(
-        Cylinder{t * Transform::Translate({-2, 0, 0}), 0.5f, -1, 1, 2 * Pi, true}));
+    list.push_back(
+        Traced::Of(Cylinder{t * Transform::Translate({-2, 0, 0}), 0.5f, -1, 1, 2 * Pi, true}));
     return list;
 }
 
@@ -54,7 +55,8 @@ void ExpectEqual(const std::vector<Transform> &places, float time, const Instanc
     const uint32_t count = uint32_t(models.size());
     std::vector<Instance> instances;
     for (const Transform &t : places) {
-        for (Geometry &g : Models(t)) copies.push_back(std::move(g));
+        for (Geometry &g : Models(t))
+            copies.push_back(std::move(g));
         Instance instance = like;
         if (!like.moving) instance.renderFromObject = {t, t};
         instances.push_back(instance);
@@ -63,8 +65,10 @@ void ExpectEqual(const std::vector<Transform> &places, float time, const Instanc
     const std::vector<ObjectRange> objects{{0, 0}, {1, 1 + count}};
     std::vector<Geometry> all(1);
     all[0].shape = Sphere{Transform::Translate({0, 0, 1000})};
-    for (Geometry &g : models) all.push_back(std::move(g));
-    for (Instance &i : instances) i.object = 1;
+    for (Geometry &g : models)
+        all.push_back(std::move(g));
+    for (Instance &i : instances)
+        i.object = 1;
     const Accel instanced(all, 1, objects, instances, 2);
     const Accel direct(copies, uint32_t(copies.size()), {}, {}, 2);
     ASSERT_EQ(instanced.Error(), "");
@@ -113,8 +117,7 @@ TEST(Instances, MoveLinearlyBetweenTheirKeys) {
     moving.moving = true;
     moving.renderFromObject = {Transform::Translate({-4, 0, 0}),
                                Transform::Translate({4, 2, 0}) * *Transform::Scale({2, 1, 1})};
-    const Transform middle =
-        Transform::Translate({-2, 0.5f, 0}) * *Transform::Scale({1.25f, 1, 1});
+    const Transform middle = Transform::Translate({-2, 0.5f, 0}) * *Transform::Scale({1.25f, 1, 1});
     ExpectEqual({middle}, 0.25f, moving);
 }
 

@@ -16,7 +16,8 @@ namespace pbrt {
 class Traced {
   public:
     explicit Traced(std::vector<Geometry> list) : geometries(std::move(list)) {
-        for (Geometry &g : geometries) g.passesLight = true;
+        for (Geometry &g : geometries)
+            g.passesLight = true;
         accel.emplace(geometries, uint32_t(geometries.size()), std::span<const ObjectRange>(),
                       std::span<const Instance>(), 2);
         EXPECT_EQ(accel->Error(), "");

@@ -36,31 +36,37 @@ TEST(CreateShapes, QuadricsRejectWhatCannotBe) {
 TEST(CreateShapes, MeshesNeedWhatFitsTogether) {
     ExpectSays(R"(Shape "trianglemesh")",
                {R"(test.pbrt:2:1: shape "trianglemesh" needs "point3 P")"});
-    ExpectSays(R"(Shape "trianglemesh" "point3 P" [ 0 0 0  1 0 0 ])",
-               {R"(test.pbrt:2:1: shape "trianglemesh" needs "integer indices", for it has 2 points and not 3)"});
-    ExpectSays(R"(Shape "trianglemesh" "point3 P" [ 0 0 0  1 0 0  0 1 0 ] "integer indices" [ 0 1 ])",
-               {R"(test.pbrt:2:57: "integer indices": 2 values are not a multiple of 3)"});
-    ExpectSays(R"(Shape "trianglemesh" "point3 P" [ 0 0 0  1 0 0  0 1 0 ] "integer indices" [ 0 1 3 ])",
-               {R"(test.pbrt:2:57: "integer indices": value 2 is 3, but "P" has 3 points (0 to 2))"});
-    ExpectSays(R"(Shape "bilinearmesh" "point3 P" [ 0 0 0  1 0 0  0 1 0  1 1 0 ] "integer indices" [ 0 1 2 -1 ])",
-               {R"(test.pbrt:2:64: "integer indices": value 3 is -1, but "P" has 4 points (0 to 3))"});
+    ExpectSays(
+        R"(Shape "trianglemesh" "point3 P" [ 0 0 0  1 0 0 ])",
+        {R"(test.pbrt:2:1: shape "trianglemesh" needs "integer indices", for it has 2 points and not 3)"});
+    ExpectSays(
+        R"(Shape "trianglemesh" "point3 P" [ 0 0 0  1 0 0  0 1 0 ] "integer indices" [ 0 1 ])",
+        {R"(test.pbrt:2:57: "integer indices": 2 values are not a multiple of 3)"});
+    ExpectSays(
+        R"(Shape "trianglemesh" "point3 P" [ 0 0 0  1 0 0  0 1 0 ] "integer indices" [ 0 1 3 ])",
+        {R"(test.pbrt:2:57: "integer indices": value 2 is 3, but "P" has 3 points (0 to 2))"});
+    ExpectSays(
+        R"(Shape "bilinearmesh" "point3 P" [ 0 0 0  1 0 0  0 1 0  1 1 0 ] "integer indices" [ 0 1 2 -1 ])",
+        {R"(test.pbrt:2:64: "integer indices": value 3 is -1, but "P" has 4 points (0 to 3))"});
     ExpectSays(R"(Shape "trianglemesh" "point3 P" [ 0 0 0  1 0 0  0 1 0 ] "normal N" [ 0 0 1 ]
 "vector3 S" [ 0 0 1  1 0 0 ] "point2 uv" [ 0 0 ] "integer faceIndices" [ 1 2 ])",
                {R"(test.pbrt:2:57: "normal N": 1 values for 3 points)",
                 R"(test.pbrt:3:1: "vector3 S": 2 values for 3 points)",
                 R"(test.pbrt:3:30: "point2 uv": 1 values for 3 points)",
                 R"(test.pbrt:3:50: "integer faceIndices": 2 values for 1 triangles)"});
-    ExpectSays(R"(Scale 1e30 1 1 Shape "trianglemesh" "point3 P" [ 0 0 0  1e20 0 0  0 1 0 ])",
-               {R"(test.pbrt:2:16: shape "trianglemesh": point 1 is not finite: (1e+20, 0, 0) placed at (inf, 0, 0))"});
-    ExpectSays(R"(Shape "plymesh")",
-               {R"(test.pbrt:2:1: shape "plymesh" needs "string filename")"});
+    ExpectSays(
+        R"(Scale 1e30 1 1 Shape "trianglemesh" "point3 P" [ 0 0 0  1e20 0 0  0 1 0 ])",
+        {R"(test.pbrt:2:16: shape "trianglemesh": point 1 is not finite: (1e+20, 0, 0) placed at (inf, 0, 0))"});
+    ExpectSays(R"(Shape "plymesh")", {R"(test.pbrt:2:1: shape "plymesh" needs "string filename")"});
 }
 
 TEST(CreateShapes, UnknownNamesListWhatIsKnown) {
-    ExpectSays(R"(Shape "spher")",
-               {R"(test.pbrt:2:1: unknown shape "spher"; did you mean "sphere"? - expected "trianglemesh", "plymesh", "bilinearmesh", "sphere", "disk" or "cylinder")"});
-    ExpectSays(R"(Shape "loopsubdiv")",
-               {R"(test.pbrt:2:1: unknown shape "loopsubdiv"; expected "trianglemesh", "plymesh", "bilinearmesh", "sphere", "disk" or "cylinder")"});
+    ExpectSays(
+        R"(Shape "spher")",
+        {R"(test.pbrt:2:1: unknown shape "spher"; did you mean "sphere"? - expected "trianglemesh", "plymesh", "bilinearmesh", "sphere", "disk" or "cylinder")"});
+    ExpectSays(
+        R"(Shape "loopsubdiv")",
+        {R"(test.pbrt:2:1: unknown shape "loopsubdiv"; expected "trianglemesh", "plymesh", "bilinearmesh", "sphere", "disk" or "cylinder")"});
     EXPECT_EQ(ShapeNames().size(), 6u);
 }
 

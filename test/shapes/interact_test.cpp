@@ -26,8 +26,8 @@ TEST(Sphere, ConventionsOfUVAndTangents) {
                           {{-2, 0, 0}, {0.5f, 0.5f}, {0, -4 * Pi, 0}, {0, 0, 2 * Pi}},
                           {{2 * kInner, 0, 2 * kInner},
                            {0, 0.75f},
-                           {0, 4 * Pi *kInner, 0},
-                           {-2 * Pi * kInner, 0, 2 * Pi *kInner}}};
+                           {0, 4 * Pi * kInner, 0},
+                           {-2 * Pi * kInner, 0, 2 * Pi * kInner}}};
     for (const Case &c : cases) {
         const SurfacePoint s = At(sphere, c.p);
         ExpectNear(s.p, c.p, 1e-6f);
@@ -41,7 +41,8 @@ TEST(Sphere, ConventionsOfUVAndTangents) {
     const SurfacePoint north = At(sphere, {0, 0, 2}), south = At(sphere, {0, 0, -2});
     EXPECT_NEAR(north.uv.y, 1, 1e-6f);
     EXPECT_NEAR(south.uv.y, 0, 1e-6f);
-    for (const SurfacePoint &s : {north, south}) EXPECT_GT(Length(s.dpdu), 0);
+    for (const SurfacePoint &s : {north, south})
+        EXPECT_GT(Length(s.dpdu), 0);
 }
 
 TEST(Sphere, PartialOnesUseTheirOwnRange) {
@@ -125,8 +126,7 @@ TEST(Quadrics, SampledNormalsAreThoseOfHits) {
         }
 }
 
-constexpr std::string_view kTriangle =
-    R"(Shape "trianglemesh" "point3 P" [ 0 0 0  2 0 0  0 2 0 ])";
+constexpr std::string_view kTriangle = R"(Shape "trianglemesh" "point3 P" [ 0 0 0  2 0 0  0 2 0 ])";
 
 TEST(Triangle, DefaultUVAndTangents) {
     const Shape t = MakeOne(kTriangle);
@@ -141,8 +141,8 @@ TEST(Triangle, DefaultUVAndTangents) {
 
 TEST(Triangle, NormalFollowsWindingReverseOrientationAndMirrors) {
     const auto normal = [](std::string_view before) {
-        return Interact(MakeOne(std::string(before) + std::string(kTriangle)),
-                        HitAt(1, 0.2f, 0.2f), {})
+        return Interact(MakeOne(std::string(before) + std::string(kTriangle)), HitAt(1, 0.2f, 0.2f),
+                        {})
             .n;
     };
     EXPECT_EQ(normal(""), (Normal3f{0, 0, 1}));
@@ -197,7 +197,8 @@ TEST(Triangle, AnyShapeGivesFiniteFrames) {
         const float u = rng.Uniform();
         const Shape shape = std::move(mesh);
         const SurfacePoint s = Interact(shape, HitAt(1, u, (1 - u) * rng.Uniform()), {});
-        for (const Vector3f v : {s.n, s.ns}) EXPECT_NEAR(Length(v), 1, 1e-5f);
+        for (const Vector3f v : {s.n, s.ns})
+            EXPECT_NEAR(Length(v), 1, 1e-5f);
         const Frame frame = s.ShadingFrame();
         EXPECT_NEAR(LengthSquared(frame.x), 1, 1e-5f);
         // FromZTangent takes tangents down to 1e-5 rad from z, which float rounds by 6e-8.

@@ -22,8 +22,10 @@ struct LongRoots {
     bool exist;
     long double t0, t1;
     LongRoots(Vector3d o, Vector3d d, double r) {
-        const long double a = (long double)d.x * d.x + (long double)d.y * d.y + (long double)d.z * d.z;
-        const long double b = (long double)o.x * d.x + (long double)o.y * d.y + (long double)o.z * d.z;
+        const long double a =
+            (long double)d.x * d.x + (long double)d.y * d.y + (long double)d.z * d.z;
+        const long double b =
+            (long double)o.x * d.x + (long double)o.y * d.y + (long double)o.z * d.z;
         const long double c = (long double)o.x * o.x + (long double)o.y * o.y +
                               (long double)o.z * o.z - (long double)r * r;
         const long double root = b * b - a * c;
@@ -148,7 +150,9 @@ int CrossingsOfGrid(const RandomPatch &q, Vector3d o, Vector3d d, int n) {
     int count = 0;
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j) {
-            const auto at = [&](int di, int dj) { return q.At(double(i + di) / n, double(j + dj) / n); };
+            const auto at = [&](int di, int dj) {
+                return q.At(double(i + di) / n, double(j + dj) / n);
+            };
             const Vector3d corners[2][3] = {{at(0, 0), at(1, 0), at(1, 1)},
                                             {at(0, 0), at(1, 1), at(0, 1)}};
             for (const auto &c : corners) {
@@ -189,7 +193,8 @@ TEST(InvertPatch, RecoversUV) {
         const RandomPatch q(rng, 0.2f);
         const float u = rng.Uniform(), v = rng.Uniform();
         const Point3f p = ToFloat(q.At(u, v));
-        const Point2f uv = InvertPatch(q.patch, p, PatchNormal(q.patch, q.patch.DpDu(v), q.patch.DpDv(u)));
+        const Point2f uv =
+            InvertPatch(q.patch, p, PatchNormal(q.patch, q.patch.DpDu(v), q.patch.DpDv(u)));
         EXPECT_NEAR(uv.x, u, 2e-6f);
         EXPECT_NEAR(uv.y, v, 2e-6f);
     }

@@ -32,8 +32,10 @@ class PlyWriter {
         }
         char bytes[sizeof(T)];
         std::memcpy(bytes, &value, sizeof(T));
-        const bool reversed = (kind == PlyKind::Big) == (std::endian::native == std::endian::little);
-        for (size_t i = 0; i < sizeof(T); ++i) text += bytes[reversed ? sizeof(T) - 1 - i : i];
+        const bool reversed =
+            (kind == PlyKind::Big) == (std::endian::native == std::endian::little);
+        for (size_t i = 0; i < sizeof(T); ++i)
+            text += bytes[reversed ? sizeof(T) - 1 - i : i];
     }
     void EndRow() {
         if (kind == PlyKind::Ascii) text += "\n";

@@ -39,7 +39,8 @@ PlyMesh RandomMesh(Rng &rng, const Layout &layout, int nVertices, int nFaces) {
     for (int i = 0; i < nFaces; ++i) {
         const bool isQuad = rng.Below(10) == 0;
         auto &indices = isQuad ? mesh.quads : mesh.triangles;
-        for (int k = 0; k < (isQuad ? 4 : 3); ++k) indices.push_back(rng.Below(uint32_t(nVertices)));
+        for (int k = 0; k < (isQuad ? 4 : 3); ++k)
+            indices.push_back(rng.Below(uint32_t(nVertices)));
         if (layout.faceIndices) (isQuad ? mesh.quadFaces : mesh.triangleFaces).push_back(i * 7);
     }
     return mesh;
@@ -51,11 +52,14 @@ std::string Written(const Layout &layout, const PlyMesh &mesh) {
     const auto put = [&](float x) { layout.doubles ? w.Put(double(x)) : w.Put(x); };
     w.Line(fmt::format("element vertex {}", mesh.p.size()));
     if (layout.extras) w.Line("property uchar red\nproperty list uchar short neighbours");
-    for (const char *axis : {"x", "y", "z"}) w.Line("property " + real + " " + axis);
+    for (const char *axis : {"x", "y", "z"})
+        w.Line("property " + real + " " + axis);
     if (layout.normals)
-        for (const char *axis : {"nx", "ny", "nz"}) w.Line("property float32 " + std::string(axis));
+        for (const char *axis : {"nx", "ny", "nz"})
+            w.Line("property float32 " + std::string(axis));
     if (layout.u)
-        for (const char *name : {layout.u, layout.v}) w.Line("property float " + std::string(name));
+        for (const char *name : {layout.u, layout.v})
+            w.Line("property float " + std::string(name));
     if (layout.extras) w.Line("element edge 2\nproperty list int double weights");
     w.Line(fmt::format("element face {}", (mesh.triangles.size() / 3 + mesh.quads.size() / 4)));
     if (layout.extras) w.Line("property uchar flags");
@@ -68,26 +72,30 @@ std::string Written(const Layout &layout, const PlyMesh &mesh) {
         if (layout.extras) {
             w.Put(uint8_t(i));
             w.Put(uint8_t(i % 3));
-            for (size_t k = 0; k < i % 3; ++k) w.Put(int16_t(-5));
+            for (size_t k = 0; k < i % 3; ++k)
+                w.Put(int16_t(-5));
         }
-        for (int k = 0; k < 3; ++k) put(mesh.p[i][k]);
-        for (int k = 0; layout.normals && k < 3; ++k) w.Put(mesh.n[i][k]);
-        for (int k = 0; layout.u && k < 2; ++k) w.Put(mesh.uv[i][k]);
+        for (int k = 0; k < 3; ++k)
+            put(mesh.p[i][k]);
+        for (int k = 0; layout.normals && k < 3; ++k)
+            w.Put(mesh.n[i][k]);
+        for (int k = 0; layout.u && k < 2; ++k)
+            w.Put(mesh.uv[i][k]);
         w.EndRow();
     }
     if (layout.extras)
         for (int i = 0; i < 2; ++i) {
             w.Put(int32_t(i));
-            for (int k = 0; k < i; ++k) w.Put(2.5);
+            for (int k = 0; k < i; ++k)
+                w.Put(2.5);
             w.EndRow();
         }
     // Quads among the triangles, as their face indices say; without those, first.
     size_t t = 0, q = 0;
     while (3 * t < mesh.triangles.size() || 4 * q < mesh.quads.size()) {
         const bool triangleNext =
-            4 * q == mesh.quads.size() ||
-            (layout.faceIndices && 3 * t < mesh.triangles.size() &&
-             mesh.triangleFaces[t] < mesh.quadFaces[q]);
+            4 * q == mesh.quads.size() || (layout.faceIndices && 3 * t < mesh.triangles.size() &&
+                                           mesh.triangleFaces[t] < mesh.quadFaces[q]);
         const int n = triangleNext ? 3 : 4;
         if (layout.extras) w.Put(uint8_t(1));
         layout.wideCounts ? w.Put(int32_t(n)) : w.Put(uint8_t(n));
@@ -162,10 +170,11 @@ const std::string kTriangleHead =
     "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
 
 TEST_F(Ply, AsciiSpellings) {
-    const auto read = Read("ply\r\nformat ascii 1.0\r\nelement vertex 3\r\nproperty float x\r\n"
-                           "property float y\r\nproperty float z\r\nelement face 1\r\n"
-                           "property list uchar int vertex_indices\r\nend_header\r\n"
-                           "+1 -2.5e1 1e-50\r\n\r\n  0\t0 0 1 1 1\r\n3 0 1 2");
+    const auto read = Read(
+        "ply\r\nformat ascii 1.0\r\nelement vertex 3\r\nproperty float x\r\n"
+        "property float y\r\nproperty float z\r\nelement face 1\r\n"
+        "property list uchar int vertex_indices\r\nend_header\r\n"
+        "+1 -2.5e1 1e-50\r\n\r\n  0\t0 0 1 1 1\r\n3 0 1 2");
     ASSERT_TRUE(read) << problem;
     EXPECT_EQ(read->p[0], (Point3f{1, -25, 0}));
     EXPECT_EQ(read->triangles, (std::vector<uint32_t>{0, 1, 2}));
@@ -222,8 +231,7 @@ TEST_F(Ply, DamagedFilesSayWhatIsWrong) {
          "header line 3 is not understood: \"element vertex -3\""},
         {head("element vertex 3", "element vertex 99999999999"),
          "header line 3 is not understood: \"element vertex 99999999999\""},
-        {head("element vertex 3\n", ""),
-         "header line 3 is not understood: \"property float x\""},
+        {head("element vertex 3\n", ""), "header line 3 is not understood: \"property float x\""},
         {head("element face", "element vertex"),
          "header line 7 is not understood: \"element vertex 1\""},
         {head("element vertex", "element corner"), "has no \"element vertex\""},
@@ -274,8 +282,8 @@ TEST_F(Ply, DamagedFilesSayWhatIsWrong) {
 TEST_F(Ply, RandomDamageNeverCrashes) {
     Rng rng(3);
     for (int i = 0; i < 300; ++i) {
-        const Layout layout{PlyKind(i % 3),        (i & 4) != 0, (i & 8) != 0, (i & 16) != 0,
-                            (i & 32) != 0,         (i & 64) != 0, "u", "v"};
+        const Layout layout{PlyKind(i % 3), (i & 4) != 0,  (i & 8) != 0, (i & 16) != 0,
+                            (i & 32) != 0,  (i & 64) != 0, "u",          "v"};
         std::string bytes = Written(layout, RandomMesh(rng, layout, 20, 30));
         if (i % 5 == 0) bytes = Gzipped(bytes);
         if (rng.Below(2) == 0) bytes.resize(rng.Below(uint32_t(bytes.size())));
@@ -284,8 +292,10 @@ TEST_F(Ply, RandomDamageNeverCrashes) {
         const auto read = Read(bytes);
         EXPECT_NE(read.has_value(), !problem.empty());
         if (!read) continue;
-        for (const uint32_t index : read->triangles) EXPECT_LT(index, read->p.size());
-        for (const uint32_t index : read->quads) EXPECT_LT(index, read->p.size());
+        for (const uint32_t index : read->triangles)
+            EXPECT_LT(index, read->p.size());
+        for (const uint32_t index : read->quads)
+            EXPECT_LT(index, read->p.size());
     }
 }
 
@@ -304,8 +314,8 @@ TEST_F(Ply, MeshesMakeOneShapeForEachKindOfFace) {
         "element face 3\nproperty list uchar int vertex_indices\nproperty int face_indices\n"
         "end_header\n0 0 0 0 0 1  1 0 0 0 0 1  1 1 0 0 0 1  0 1 0 0 0 1  2 2 0 0 0 1\n"
         "4 0 1 2 3 40\n3 1 4 2 30\n6 0 1 2 3 4 0 50\n");
-    const Made made =
-        Make("Translate 0 0 5 Shape \"plymesh\" \"string filename\" \"mixed.ply\"", folder.string());
+    const Made made = Make("Translate 0 0 5 Shape \"plymesh\" \"string filename\" \"mixed.ply\"",
+                           folder.string());
     ASSERT_EQ(made.shapes.size(), 2u);
     const auto &quads = std::get<BilinearMesh>(made.shapes[0]);
     EXPECT_EQ(quads.indices, (std::vector<uint32_t>{0, 1, 3, 2}));

@@ -1,8 +1,8 @@
 // Emitters: the density of a sampler is the inverse of its Jacobian, integrates to one, and is what
 // PDFFrom says.
 
-#include "pbrt/util/rng.h"
 #include "pbrt/util/sampling.h"
+#include "pbrt/util/rng.h"
 #include "shapes/make.h"
 
 namespace pbrt {
@@ -91,8 +91,7 @@ TEST(Sampling, MeanInverseAreaDensityIsTheArea) {
         EXPECT_NEAR(sum / (n * n) / area, 1, 2e-4) << text;
     }
     // A bent patch: the two independent ways agree.
-    const Shape bent = MakeOne(
-        R"(Shape "bilinearmesh" "point3 P" [ 0 0 0  2 0 0  0 1 0  2 2 1 ])");
+    const Shape bent = MakeOne(R"(Shape "bilinearmesh" "point3 P" [ 0 0 0  2 0 0  0 1 0  2 2 1 ])");
     double sum = 0;
     const int n = 512;
     for (int i = 0; i < n; ++i)
@@ -104,7 +103,8 @@ TEST(Sampling, MeanInverseAreaDensityIsTheArea) {
 std::vector<Point3f> Viewpoints() {
     Rng rng(2);
     std::vector<Point3f> points{{0.2f, 0.1f, 0.15f}, {0.4f, 0.3f, 3}, {100, -30, 20}};
-    for (int i = 0; i < 12; ++i) points.push_back(4.f * SampleUniformSphere(rng.Uniform2D()));
+    for (int i = 0; i < 12; ++i)
+        points.push_back(4.f * SampleUniformSphere(rng.Uniform2D()));
     return points;
 }
 
@@ -150,7 +150,8 @@ TEST(Sampling, PDFFromIsTheSamplersDensity) {
 /// Solid angle of the triangle in double (Van Oosterom and Strackee).
 double TriangleSolidAngle(const Point3f corners[3], Point3f ref) {
     Vec3<double> v[3];
-    for (int i = 0; i < 3; ++i) v[i] = Normalize(ToDouble(corners[i]) - ToDouble(ref));
+    for (int i = 0; i < 3; ++i)
+        v[i] = Normalize(ToDouble(corners[i]) - ToDouble(ref));
     const double det = Dot(v[0], Cross(v[1], v[2]));
     return 2 * std::abs(std::atan2(det, 1 + Dot(v[0], v[1]) + Dot(v[1], v[2]) + Dot(v[2], v[0])));
 }
@@ -161,12 +162,13 @@ TEST(Sampling, TrianglesBySolidAngle) {
     for (int i = 0; i < 300; ++i) {
         TriangleMesh mesh;
         Point3f corners[3];
-        for (Point3f &p : corners) p = SampleUniformSphere(rng.Uniform2D());
+        for (Point3f &p : corners)
+            p = SampleUniformSphere(rng.Uniform2D());
         mesh.p.assign(corners, corners + 3);
         mesh.indices = {0, 1, 2};
         const Shape shape = mesh;
-        const Point3f ref = std::pow(10.f, 2.5f * rng.Uniform() - 1) *
-                            SampleUniformSphere(rng.Uniform2D());
+        const Point3f ref =
+            std::pow(10.f, 2.5f * rng.Uniform() - 1) * SampleUniformSphere(rng.Uniform2D());
         const double expected = TriangleSolidAngle(corners, ref);
         // The mean of 1 / pdf is the solid angle; constant where sampling is by solid angle.
         double sum = 0;
@@ -198,7 +200,8 @@ TEST(Sampling, TriangleSolidAngleAgainstUniformDirections) {
     Rng rng(6);
     for (int i = 0; i < 10; ++i) {
         TriangleMesh mesh;
-        for (int k = 0; k < 3; ++k) mesh.p.push_back(SampleUniformSphere(rng.Uniform2D()));
+        for (int k = 0; k < 3; ++k)
+            mesh.p.push_back(SampleUniformSphere(rng.Uniform2D()));
         mesh.indices = {0, 1, 2};
         const Shape shape = mesh;
         const Point3f ref = 0.5f * SampleUniformSphere(rng.Uniform2D());
@@ -207,7 +210,8 @@ TEST(Sampling, TriangleSolidAngleAgainstUniformDirections) {
         int inside = 0;
         const int n = 65536;
         Vector3f c[3];
-        for (int k = 0; k < 3; ++k) c[k] = mesh.p[size_t(k)] - ref;
+        for (int k = 0; k < 3; ++k)
+            c[k] = mesh.p[size_t(k)] - ref;
         for (int k = 0; k < n; ++k) {
             const Vector3f w = SampleUniformSphere(rng.Uniform2D());
             const float a = Dot(w, Cross(c[0], c[1])), b = Dot(w, Cross(c[1], c[2])),
@@ -232,8 +236,8 @@ TEST(Sampling, RectanglesBySolidAngle) {
         mesh.indices = {0, 1, 2, 3};
         mesh.planar = true;
         const Shape shape = mesh;
-        const Point3f ref = std::pow(10.f, 1.5f * rng.Uniform() - 1) *
-                            SampleUniformSphere(rng.Uniform2D());
+        const Point3f ref =
+            std::pow(10.f, 1.5f * rng.Uniform() - 1) * SampleUniformSphere(rng.Uniform2D());
         const Point3f t0[3] = {mesh.p[0], mesh.p[1], mesh.p[2]},
                       t1[3] = {mesh.p[3], mesh.p[1], mesh.p[2]};
         const double expected = TriangleSolidAngle(t0, ref) + TriangleSolidAngle(t1, ref);
@@ -250,9 +254,11 @@ TEST(Sampling, RectanglesBySolidAngle) {
 
 TEST(Sampling, LongRectanglesFromNearTheirEnd) {
     // A tube light 10 by 0.1: by area, the weights of the near end would be 1e4 times the others.
-    const Shape shape = MakeOne(R"(Shape "bilinearmesh" "point3 P" [ 0 0 0  10 0 0  0 .1 0  10 .1 0 ])");
+    const Shape shape =
+        MakeOne(R"(Shape "bilinearmesh" "point3 P" [ 0 0 0  10 0 0  0 .1 0  10 .1 0 ])");
     const Point3f ref{0.05f, 0.05f, 0.1f};
-    const auto a = SampleFrom(shape, 0, ref, {0.1f, 0.5f}), b = SampleFrom(shape, 0, ref, {0.9f, 0.5f});
+    const auto a = SampleFrom(shape, 0, ref, {0.1f, 0.5f}),
+               b = SampleFrom(shape, 0, ref, {0.9f, 0.5f});
     ASSERT_TRUE(a && b);
     EXPECT_EQ(a->pdf, b->pdf);
 }
@@ -289,11 +295,11 @@ TEST(Sampling, SpheresOfAnySizeFillTheirCone) {
 TEST(Sampling, NormalBoundsHoldEveryNormal) {
     Rng rng(9);
     std::vector<Emitter> emitters = Emitters();
-    emitters.push_back({"with normals",
-                        MakeOne(R"(Shape "trianglemesh" "point3 P" [ 0 0 0  2 0 0  0 3 0 ]
+    emitters.push_back(
+        {"with normals", MakeOne(R"(Shape "trianglemesh" "point3 P" [ 0 0 0  2 0 0  0 3 0 ]
                                    "normal N" [ 0 0 -1  0 0 -1  0 0.1 1 ])")});
-    emitters.push_back({"turned over",
-                        MakeOne(R"(Shape "bilinearmesh" "point3 P" [ 0 0 0  2 0 0  0 1 0  2 2 1 ]
+    emitters.push_back(
+        {"turned over", MakeOne(R"(Shape "bilinearmesh" "point3 P" [ 0 0 0  2 0 0  0 1 0  2 2 1 ]
                                    "normal N" [ 0 0 -1  0 0 -1  0 0 -1  0 0 -1 ])")});
     for (const Emitter &e : emitters) {
         const NormalCone cone = NormalBounds(e.shape, 0);
@@ -319,6 +325,10 @@ TEST(Sampling, BoundsHoldEverySample) {
             }
         }
     }
+    // And are no wider than they must be, turned or not.
+    const Bounds3f b = Bounds(MakeOne("Rotate 30 1 2 3 Translate 1 0 0 Shape \"sphere\""));
+    for (int k = 0; k < 3; ++k)
+        EXPECT_NEAR(b.max[k] - b.min[k], 2, 1e-5f);
 }
 
 TEST(Sampling, DegenerateOnesGiveNothing) {

@@ -67,8 +67,8 @@ bool IsInvisible(const Geometry &g) {
 /// own the 4 bytes behind the last one.
 void SetPoints(RTCGeometry geometry, const std::vector<Point3f> &p) {
     if (p.capacity() > p.size()) {
-        rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                   p.data(), 0, sizeof(Point3f), p.size());
+        rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, p.data(),
+                                   0, sizeof(Point3f), p.size());
         return;
     }
     void *const copy = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
@@ -124,12 +124,12 @@ void Accel::Impl::Build(int nThreads) {
         records.push_back({&g, uint32_t(records.size()), uint32_t(records.size()), nTop, hasAlpha});
     }
     for (const ObjectRange &object : objects) {
-        objectScenes.push_back(
-            NewScene(object.first, object.last, object.last - object.first));
+        objectScenes.push_back(NewScene(object.first, object.last, object.last - object.first));
         rtcCommitScene(objectScenes.back());
     }
     scene = NewScene(0, nTop, nTop + uint32_t(instances.size()));
-    for (uint32_t i = 0; i < instances.size(); ++i) AttachInstance(i);
+    for (uint32_t i = 0; i < instances.size(); ++i)
+        AttachInstance(i);
     rtcCommitScene(scene);
 }
 
@@ -196,7 +196,8 @@ Accel::Accel(std::span<const Geometry> geometries, uint32_t nTop,
              std::span<const ObjectRange> objects, std::span<const Instance> instances,
              int nThreads)
     : impl(std::make_unique<Impl>(geometries, nTop, objects, instances)) {
-    for (const Geometry &g : geometries) hasGaps |= g.passesLight && !IsInvisible(g);
+    for (const Geometry &g : geometries)
+        hasGaps |= g.passesLight && !IsInvisible(g);
     impl->Build(nThreads);
 }
 

@@ -22,7 +22,7 @@ struct Geometry {
 };
 
 struct Instance {
-    uint32_t object;                       ///< index into the objects given to Accel
+    uint32_t object;  ///< index into the objects given to Accel
     /// At shutter open and close; between them (Ray::time in [0, 1]) each matrix entry is linear.
     std::array<Transform, 2> renderFromObject;
     bool moving = false;
@@ -58,7 +58,8 @@ class Accel {
     /// allowed only then.
     const std::string &Error() const;
 
-    /// Nearest hit in (0, ray.tMax]; alpha cut-outs are passed over, by a hash of ray and primitive.
+    /// Nearest hit in (0, ray.tMax]; alpha cut-outs are passed over, by a hash of ray and
+    /// primitive.
     bool Intersect(const Ray &ray, Hit *hit) const;
     /// True where anything opaque stands in (0, ray.tMax]. One traversal.
     bool Occluded(const Ray &ray) const;

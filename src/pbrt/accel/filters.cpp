@@ -20,8 +20,8 @@ bool IsCutOut(const GeometryRecord &record, const Hit &hit, const Ray &ray, cons
     }
     if (alpha >= 1) return false;
     if (alpha <= 0) return true;
-    return HashFloat(worldRay.o, worldRay.d, hit.geometry, hit.primitive, hit.instance,
-                     crossing) >= alpha;
+    return HashFloat(worldRay.o, worldRay.d, hit.geometry, hit.primitive, hit.instance, crossing) >=
+           alpha;
 }
 
 bool Blocks(const GeometryRecord &record, const Hit &hit, const Ray &ray, QueryContext &context,

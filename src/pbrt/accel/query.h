@@ -32,8 +32,8 @@ struct GeometryRecord {
 
     Hit ToHit(float t, float u, float v, uint32_t primitive, const EmbreeContext &context) const {
         const uint32_t id = context.instID[0];
-        return {t, u, v, index, primitive,
-                id == RTC_INVALID_GEOMETRY_ID ? ~0u : id - firstInstance};
+        return {t,     u,         v,
+                index, primitive, id == RTC_INVALID_GEOMETRY_ID ? ~0u : id - firstInstance};
     }
 };
 

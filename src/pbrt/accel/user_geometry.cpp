@@ -68,8 +68,7 @@ std::optional<Hit> FirstKept(const Primitive &primitive, uint32_t index, const R
     for (int crossing = 0;; ++crossing) {
         const std::optional<UserHit> met = primitive.Meet(local);
         if (!met) return {};
-        const Hit hit =
-            primitive.Record().ToHit(float(met->t), met->u, met->v, index, context);
+        const Hit hit = primitive.Record().ToHit(float(met->t), met->u, met->v, index, context);
         if (keep(hit, crossing)) return hit;
         local.tMin = met->t;
     }
@@ -111,12 +110,11 @@ void OccludedUser(const RTCOccludedFunctionNArguments *args) {
     for (unsigned i = 0; i < n; ++i) {
         if (args->valid[i] == 0) continue;
         const Ray ray = RayOf(args->ray, n, i);
-        const auto hit =
-            FirstKept(primitive, primitive.Index(args->primID), ray, context.embree,
-                      [&](const Hit &hit, int crossing) {
-                          return Blocks(record, hit, ray, context, RTCRayN_id(args->ray, n, i),
-                                        crossing);
-                      });
+        const auto hit = FirstKept(primitive, primitive.Index(args->primID), ray, context.embree,
+                                   [&](const Hit &hit, int crossing) {
+                                       return Blocks(record, hit, ray, context,
+                                                     RTCRayN_id(args->ray, n, i), crossing);
+                                   });
         if (hit) RTCRayN_tfar(args->ray, n, i) = -Infinity;
     }
 }
@@ -134,7 +132,8 @@ void QuadricBounds(const RTCBoundsFunctionArguments *args) {
 void PatchBounds(const RTCBoundsFunctionArguments *args) {
     const Patch q = PatchPrimitive(args->geometryUserPtr, args->primID).patch;
     Bounds3f b;
-    for (const Point3f &p : {q.p00, q.p10, q.p01, q.p11}) b.Grow(p);
+    for (const Point3f &p : {q.p00, q.p10, q.p01, q.p11})
+        b.Grow(p);
     SetBounds(b, args->bounds_o);
 }
 

@@ -21,7 +21,9 @@ struct BilinearWeights {
     float w00, w10, w01, w11;
 
     explicit BilinearWeights(Point2f uv)
-        : w00((1 - uv.x) * (1 - uv.y)), w10(uv.x * (1 - uv.y)), w01((1 - uv.x) * uv.y),
+        : w00((1 - uv.x) * (1 - uv.y)),
+          w10(uv.x * (1 - uv.y)),
+          w01((1 - uv.x) * uv.y),
           w11(uv.x * uv.y) {}
     template <typename T>
     T operator()(T a00, T a10, T a01, T a11) const {

@@ -22,7 +22,8 @@ constexpr std::array kTypes{ShapeType{"trianglemesh", CreateTriangleMesh},
 
 constexpr auto kNames = [] {
     std::array<std::string_view, kTypes.size()> names;
-    for (size_t i = 0; i < names.size(); ++i) names[i] = kTypes[i].name;
+    for (size_t i = 0; i < names.size(); ++i)
+        names[i] = kTypes[i].name;
     return names;
 }();
 
@@ -36,11 +37,10 @@ std::vector<Shape> CreateShapes(const ShapeEntity &entity, ParamDict &params,
                                 const Transform &renderFromObject) {
     for (const ShapeType &type : kTypes)
         if (type.name == entity.type) return type.create({entity, params, renderFromObject});
-    params.Error(fmt::format("unknown shape \"{}\"{} expected {}", entity.type,
-                             DidYouMean(entity.type, kNames).empty()
-                                 ? ";"
-                                 : DidYouMean(entity.type, kNames) + " -",
-                             QuotedList(kNames)));
+    params.Error(fmt::format(
+        "unknown shape \"{}\"{} expected {}", entity.type,
+        DidYouMean(entity.type, kNames).empty() ? ";" : DidYouMean(entity.type, kNames) + " -",
+        QuotedList(kNames)));
     return {};
 }
 

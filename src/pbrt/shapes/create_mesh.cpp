@@ -32,7 +32,8 @@ class MeshReader {
                                         "points (0 to {})",
                                         i, given[i], p->size(), p->size() - 1));
         indices->assign(given.begin(), given.end());
-        for (int i = 0; given.empty() && i < corners; ++i) indices->push_back(uint32_t(i));
+        for (int i = 0; given.empty() && i < corners; ++i)
+            indices->push_back(uint32_t(i));
         return true;
     }
 

@@ -28,8 +28,7 @@ std::vector<Shape> CreatePlyMesh(const ShapeArguments &a) {
         a.params.Warning("filename",
                          fmt::format("{}: {} faces have other than 3 or 4 corners and are left out",
                                      fileName, ply->otherFaces));
-    if (ply->triangles.empty() && ply->quads.empty())
-        return fail("has no face of 3 or 4 corners");
+    if (ply->triangles.empty() && ply->quads.empty()) return fail("has no face of 3 or 4 corners");
 
     if (!ply->quads.empty()) {
         BilinearMesh mesh;

@@ -11,11 +11,16 @@ namespace pbrt {
 template <bool kWithError>
 inline SurfacePoint InteractWith(const Shape &shape, const Hit &hit, const Ray &ray) {
     switch (shape.index()) {
-    case 0: return InteractTriangle<kWithError>(*std::get_if<0>(&shape), hit);
-    case 1: return InteractBilinear<kWithError>(*std::get_if<1>(&shape), hit);
-    case 2: return InteractSphere<kWithError>(*std::get_if<2>(&shape), hit, ray);
-    case 3: return InteractDisk<kWithError>(*std::get_if<3>(&shape), hit, ray);
-    default: return InteractCylinder<kWithError>(*std::get_if<4>(&shape), hit, ray);
+        case 0:
+            return InteractTriangle<kWithError>(*std::get_if<0>(&shape), hit);
+        case 1:
+            return InteractBilinear<kWithError>(*std::get_if<1>(&shape), hit);
+        case 2:
+            return InteractSphere<kWithError>(*std::get_if<2>(&shape), hit, ray);
+        case 3:
+            return InteractDisk<kWithError>(*std::get_if<3>(&shape), hit, ray);
+        default:
+            return InteractCylinder<kWithError>(*std::get_if<4>(&shape), hit, ray);
     }
 }
 

@@ -67,8 +67,8 @@ std::optional<double> FirstOf(const Roots &roots, const RayD &ray, F keep) {
 /// Calls found(t, u, v) for the at most two points of the unbounded surface on the line.
 template <typename F>
 void MeetPatch(const Patch &patch, Vector3d origin, Vector3d d, F found) {
-    const Vector3d p00 = ToDouble(patch.p00), p10 = ToDouble(patch.p10),
-                   p01 = ToDouble(patch.p01), p11 = ToDouble(patch.p11);
+    const Vector3d p00 = ToDouble(patch.p00), p10 = ToDouble(patch.p10), p01 = ToDouble(patch.p01),
+                   p11 = ToDouble(patch.p11);
     const Vector3d e10 = p10 - p00, e00 = p01 - p00, q = (p11 - p10) - e00, o = p00 - origin;
     const Vector3d dq = Cross(d, q), de = Cross(d, e00);
     const double a = Dot(dq, e10), b = Dot(de, e10) + Dot(dq, o), c = Dot(de, o);
@@ -79,7 +79,8 @@ void MeetPatch(const Patch &patch, Vector3d origin, Vector3d d, F found) {
         const Vector3d from = o + u * e10, along = e00 + u * q;
         const Vector3d n = Cross(d, along);
         const double n2 = LengthSquared(n);
-        if (n2 > 0) found(PatchHit{Dot(Cross(from, along), n) / n2, u, Dot(Cross(from, d), n) / n2});
+        if (n2 > 0)
+            found(PatchHit{Dot(Cross(from, along), n) / n2, u, Dot(Cross(from, d), n) / n2});
     };
     if (k != 0) at(c / k);
     if (a != 0) at(k / a);
@@ -97,12 +98,10 @@ std::optional<double> IntersectQuadric(const Sphere &sphere, const RayD &ray) {
 }
 
 std::optional<double> IntersectQuadric(const Cylinder &cylinder, const RayD &ray) {
-    const auto roots =
-        CrossRadius({ray.o.x, ray.o.y, 0}, {ray.d.x, ray.d.y, 0}, cylinder.radius);
+    const auto roots = CrossRadius({ray.o.x, ray.o.y, 0}, {ray.d.x, ray.d.y, 0}, cylinder.radius);
     if (!roots) return {};
     return FirstOf(*roots, ray, [&](Vector3d p) {
-        return p.z >= cylinder.zMin && p.z <= cylinder.zMax &&
-               InAzimuth(p.x, p.y, cylinder.phiMax);
+        return p.z >= cylinder.zMin && p.z <= cylinder.zMax && InAzimuth(p.x, p.y, cylinder.phiMax);
     });
 }
 

@@ -3,21 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
-#include "pbrt/shapes/ply_values.h"
+#include "pbrt/shapes/ply_vertices.h"
 
 namespace pbrt {
 namespace {
-
-constexpr size_t kRowsAtOnce = 4096;
-
-/// Destination of one vertex property: the k-th float of an array with `stride` floats a vertex.
-struct Column {
-    int property;
-    int array;  ///< 0 p, 1 n, 2 uv
-    int k;
-};
 
 class PlyReader {
   public:
@@ -33,7 +23,7 @@ class PlyReader {
         for (const PlyElement &e : header->elements) {
             bool good;
             if (e.name == "vertex")
-                good = hasVertices = Promised(e) && Vertices(e);
+                good = hasVertices = Promised(e) && ReadPlyVertices(e, *values, &mesh, problem);
             else if (e.name == "face")
                 good = hasFaces = Promised(e) && Faces(e);
             else
@@ -57,114 +47,6 @@ class PlyReader {
                          e.name, least, stream.BytesLeft()));
         return false;
     }
-    /// Rows to make room for; a gzipped file's promises are not trusted.
-    size_t RowsAhead(const PlyElement &e) const {
-        return stream.KnowsLength() ? e.count : std::min<size_t>(e.count, size_t(1) << 20);
-    }
-
-    // --- Vertices ---
-
-    bool Vertices(const PlyElement &e) {
-        std::vector<Column> columns;
-        if (!Find(e, {"x", "y", "z"}, 0, &columns)) {
-            Fail("its vertices have no x, y and z");
-            return false;
-        }
-        if (Find(e, {"nx", "ny", "nz"}, 1, &columns)) mesh.n.reserve(RowsAhead(e));
-        static constexpr std::array<std::array<std::string_view, 2>, 4> kUV{
-            {{"u", "v"}, {"s", "t"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}}};
-        for (const auto &[u, v] : kUV)
-            if (Find(e, {u, v}, 2, &columns)) {
-                mesh.uv.reserve(RowsAhead(e));
-                break;
-            }
-        mesh.p.reserve(RowsAhead(e) + 1);  // and room for Embree's 16-byte reads
-        const bool hasLists = std::any_of(e.properties.begin(), e.properties.end(),
-                                          [](const PlyProperty &p) { return p.IsList(); });
-        const size_t rowBytes = e.LeastRowBytes(format);
-        const bool inBlocks = format != PlyFormat::Ascii && !hasLists &&
-                              rowBytes <= PlyStream::kMostAhead;
-        for (size_t done = 0; done < e.count;) {
-            size_t rows = std::min(kRowsAtOnce, e.count - done);
-            if (inBlocks) {
-                if (!stream.Fill(rowBytes)) return EndsIn(e, done);
-                rows = std::min(rows, stream.Available() / rowBytes);
-            }
-            const std::array<float *, 3> out = GrowVertices(done, rows, columns);
-            if (inBlocks) {
-                VertexBlock(e, rows, columns, out);
-            } else {
-                for (size_t row = 0; row < rows; ++row)
-                    if (!VertexRow(e, row, columns, out)) return EndsIn(e, done + row);
-            }
-            done += rows;
-        }
-        return true;
-    }
-
-    /// Adds columns for the named properties if all are there as single numbers.
-    static bool Find(const PlyElement &e, std::initializer_list<std::string_view> names, int array,
-                     std::vector<Column> *columns) {
-        std::vector<Column> found;
-        for (const std::string_view name : names) {
-            const int i = e.Find(name);
-            if (i < 0 || e.properties[size_t(i)].IsList()) return false;
-            found.push_back({i, array, int(found.size())});
-        }
-        columns->insert(columns->end(), found.begin(), found.end());
-        return true;
-    }
-
-    static constexpr int kStride[3] = {3, 3, 2};
-
-    /// Makes room for rows more; where they start in each array.
-    std::array<float *, 3> GrowVertices(size_t done, size_t rows,
-                                        const std::vector<Column> &columns) {
-        std::array<float *, 3> out{};
-        for (const Column &c : columns) {
-            if (c.k != 0) continue;
-            if (c.array == 0) mesh.p.resize(done + rows), out[0] = &mesh.p[done].x;
-            if (c.array == 1) mesh.n.resize(done + rows), out[1] = &mesh.n[done].x;
-            if (c.array == 2) mesh.uv.resize(done + rows), out[2] = &mesh.uv[done].x;
-        }
-        return out;
-    }
-
-    void VertexBlock(const PlyElement &e, size_t rows, const std::vector<Column> &columns,
-                     const std::array<float *, 3> &out) {
-        const size_t rowBytes = e.LeastRowBytes(format);
-        for (const Column &c : columns) {
-            size_t offset = 0;
-            for (int i = 0; i < c.property; ++i) offset += PlySize(e.properties[size_t(i)].type);
-            const PlyType type = e.properties[size_t(c.property)].type;
-            const uint8_t *from = stream.Data() + offset;
-            float *to = out[size_t(c.array)] + c.k;
-            const int stride = kStride[c.array];
-            const bool swap = values->Swaps();
-            if (type == PlyType::Float32 && !swap)
-                for (size_t i = 0; i < rows; ++i, from += rowBytes, to += stride)
-                    *to = LoadValue<float>(from, false);
-            else
-                for (size_t i = 0; i < rows; ++i, from += rowBytes, to += stride)
-                    *to = float(LoadValue(from, type, swap));
-        }
-        stream.Skip(rows * rowBytes);
-    }
-
-    bool VertexRow(const PlyElement &e, size_t row, const std::vector<Column> &columns,
-                   const std::array<float *, 3> &out) {
-        for (size_t i = 0; i < e.properties.size(); ++i) {
-            double value;
-            if (!NextOrSkipList(e.properties[i], &value)) return false;
-            for (const Column &c : columns)
-                if (c.property == int(i))
-                    out[size_t(c.array)][row * size_t(kStride[c.array]) + size_t(c.k)] =
-                        float(value);
-        }
-        return true;
-    }
-
-    // --- Faces ---
 
     bool Faces(const PlyElement &e) {
         int list = e.Find("vertex_indices");
@@ -176,7 +58,7 @@ class PlyReader {
         }
         const int face = e.Find("face_indices");
         const bool hasFaceIndices = face >= 0 && !e.properties[size_t(face)].IsList();
-        mesh.triangles.reserve(3 * RowsAhead(e));
+        mesh.triangles.reserve(3 * values->RowsAhead(e));
         const PlyProperty &p = e.properties[size_t(list)];
         const bool plain = e.properties.size() == 1 && format != PlyFormat::Ascii &&
                            PlySize(*p.countType) == 1 && PlySize(p.type) == 4;
@@ -184,8 +66,7 @@ class PlyReader {
             if (plain) done += TriangleRun(e.count - done);
             if (done == e.count) break;
             int faceIndex = 0;
-            if (!FaceRow(e, list, hasFaceIndices ? face : -1, &faceIndex))
-                return EndsIn(e, done);
+            if (!FaceRow(e, list, hasFaceIndices ? face : -1, &faceIndex)) return EndsIn(e, done);
             if (hasFaceIndices) AddFaceIndex(faceIndex);
             ++done;
         }
@@ -204,7 +85,8 @@ class PlyReader {
         const bool swap = values->Swaps();
         size_t n = 0;
         for (; n < most && *from == 3; ++n, from += kBytes, to += 3)
-            for (int k = 0; k < 3; ++k) to[k] = LoadValue<uint32_t>(from + 1 + 4 * k, swap);
+            for (int k = 0; k < 3; ++k)
+                to[k] = LoadValue<uint32_t>(from + 1 + 4 * k, swap);
         mesh.triangles.resize(before + 3 * n);
         stream.Skip(n * kBytes);
         return n;
@@ -217,7 +99,7 @@ class PlyReader {
             if (i == list) {
                 if (!Face(p)) return false;
             } else {
-                if (!NextOrSkipList(p, &value)) return false;
+                if (!values->NextOrSkipList(p, &value)) return false;
                 if (i == face) *faceIndex = int(value);
             }
         }
@@ -243,7 +125,8 @@ class PlyReader {
         if (lastCorners == 3)
             mesh.triangles.insert(mesh.triangles.end(), corner, corner + 3);
         else
-            for (const int i : {0, 1, 3, 2}) mesh.quads.push_back(corner[i]);
+            for (const int i : {0, 1, 3, 2})
+                mesh.quads.push_back(corner[i]);
         return true;
     }
 
@@ -255,7 +138,8 @@ class PlyReader {
     bool CheckIndices(const std::vector<uint32_t> &indices) {
         const size_t count = mesh.p.size();
         uint32_t largest = 0;
-        for (const uint32_t i : indices) largest = std::max(largest, i);
+        for (const uint32_t i : indices)
+            largest = std::max(largest, i);
         if (indices.empty() || largest < count) return true;
         Fail(fmt::format("names vertex {}, but has {} vertices",
                          largest > 0x7fffffffu ? int64_t(int32_t(largest)) : int64_t(largest),
@@ -263,28 +147,18 @@ class PlyReader {
         return false;
     }
 
-    // --- Both ---
-
-    bool NextOrSkipList(const PlyProperty &p, double *value) {
-        if (!values->Next(p.countType.value_or(p.type), value)) return false;
-        return !p.IsList() || values->Skip(p.type, *value > 0 ? uint64_t(*value) : 0);
-    }
-
     bool SkipElement(const PlyElement &e) {
         // Rows without bytes are skipped at once, however many the header promises.
         for (size_t row = 0; row < e.count && !e.properties.empty(); ++row)
             for (const PlyProperty &p : e.properties) {
                 double value;
-                if (!NextOrSkipList(p, &value)) return EndsIn(e, row);
+                if (!values->NextOrSkipList(p, &value)) return EndsIn(e, row);
             }
         return true;
     }
 
     bool EndsIn(const PlyElement &e, size_t row) {
-        if (!values->Misfit().empty())
-            Fail(fmt::format("\"{}\" in {} {} is no number", values->Misfit(), e.name, row));
-        else
-            Fail(fmt::format("ends in {} {} of {}", e.name, row, e.count));
+        *problem = values->ProblemIn(e, row);
         return false;
     }
     std::nullopt_t Fail(std::string message) {

@@ -38,8 +38,8 @@ std::optional<PlyType> TypeNamed(std::string_view name) {
     struct Row {
         std::string_view old, sized;
     };
-    constexpr Row kNames[] = {{"char", "int8"},    {"uchar", "uint8"},  {"short", "int16"},
-                              {"ushort", "uint16"}, {"int", "int32"},    {"uint", "uint32"},
+    constexpr Row kNames[] = {{"char", "int8"},     {"uchar", "uint8"},   {"short", "int16"},
+                              {"ushort", "uint16"}, {"int", "int32"},     {"uint", "uint32"},
                               {"float", "float32"}, {"double", "float64"}};
     for (size_t i = 0; i < std::size(kNames); ++i)
         if (kNames[i].old == name || kNames[i].sized == name) return PlyType(i);
@@ -53,7 +53,8 @@ class HeaderReader {
 
     std::optional<PlyHeader> Read() {
         const auto magic = Line();
-        if (!magic || *magic != "ply") return Fail("is no PLY file: it does not start with \"ply\"");
+        if (!magic || *magic != "ply")
+            return Fail("is no PLY file: it does not start with \"ply\"");
         bool hasFormat = false;
         for (;;) {
             const auto line = Line();
@@ -71,8 +72,8 @@ class HeaderReader {
             else
                 good = false;
             if (!good)
-                return Fail(fmt::format("header line {} is not understood: \"{:.60}\"", number,
-                                        *line));
+                return Fail(
+                    fmt::format("header line {} is not understood: \"{:.60}\"", number, *line));
         }
         if (!hasFormat) return Fail("its header has no \"format\" line");
         return header;

@@ -1,5 +1,7 @@
 #include "pbrt/shapes/ply_values.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 
@@ -18,7 +20,8 @@ bool PlyValues::NextWord(PlyType type, double *value) {
         stream.Fill(kLongest);
         if (stream.Available() == 0) return false;
         size_t n = 0;
-        while (n < stream.Available() && IsSpace(stream.Data()[n])) ++n;
+        while (n < stream.Available() && IsSpace(stream.Data()[n]))
+            ++n;
         stream.Skip(n);
         if (stream.Available() > 0) break;
     }
@@ -41,7 +44,8 @@ bool PlyValues::NextWord(PlyType type, double *value) {
     }
     if (parsed.ec != std::errc() || (parsed.ptr != last && !IsSpace(uint8_t(*parsed.ptr)))) {
         const char *end = start;
-        while (end != last && end - start < 30 && !IsSpace(uint8_t(*end))) ++end;
+        while (end != last && end - start < 30 && !IsSpace(uint8_t(*end)))
+            ++end;
         misfit.assign(start, end);
         return false;
     }
@@ -63,6 +67,12 @@ bool PlyValues::Skip(PlyType type, uint64_t count) {
         bytes -= n;
     }
     return true;
+}
+
+std::string PlyValues::ProblemIn(const PlyElement &e, size_t row) const {
+    if (!stream.Problem().empty()) return stream.Problem();
+    if (!misfit.empty()) return fmt::format("\"{}\" in {} {} is no number", misfit, e.name, row);
+    return fmt::format("ends in {} {} of {}", e.name, row, e.count);
 }
 
 }  // namespace pbrt

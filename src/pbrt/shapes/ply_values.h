@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 
@@ -15,21 +16,30 @@ T LoadValue(const uint8_t *from, bool swap) {
         return value;
     }
     uint8_t bytes[sizeof(T)];
-    for (size_t i = 0; i < sizeof(T); ++i) bytes[i] = from[sizeof(T) - 1 - i];
+    for (size_t i = 0; i < sizeof(T); ++i)
+        bytes[i] = from[sizeof(T) - 1 - i];
     std::memcpy(&value, bytes, sizeof value);
     return value;
 }
 
 inline double LoadValue(const uint8_t *from, PlyType type, bool swap) {
     switch (type) {
-    case PlyType::Int8: return LoadValue<int8_t>(from, swap);
-    case PlyType::UInt8: return *from;
-    case PlyType::Int16: return LoadValue<int16_t>(from, swap);
-    case PlyType::UInt16: return LoadValue<uint16_t>(from, swap);
-    case PlyType::Int32: return LoadValue<int32_t>(from, swap);
-    case PlyType::UInt32: return LoadValue<uint32_t>(from, swap);
-    case PlyType::Float32: return LoadValue<float>(from, swap);
-    default: return LoadValue<double>(from, swap);
+        case PlyType::Int8:
+            return LoadValue<int8_t>(from, swap);
+        case PlyType::UInt8:
+            return *from;
+        case PlyType::Int16:
+            return LoadValue<int16_t>(from, swap);
+        case PlyType::UInt16:
+            return LoadValue<uint16_t>(from, swap);
+        case PlyType::Int32:
+            return LoadValue<int32_t>(from, swap);
+        case PlyType::UInt32:
+            return LoadValue<uint32_t>(from, swap);
+        case PlyType::Float32:
+            return LoadValue<float>(from, swap);
+        default:
+            return LoadValue<double>(from, swap);
     }
 }
 
@@ -37,10 +47,12 @@ inline double LoadValue(const uint8_t *from, PlyType type, bool swap) {
 class PlyValues {
   public:
     PlyValues(PlyStream &stream, PlyFormat format)
-        : stream(stream), isAscii(format == PlyFormat::Ascii),
+        : stream(stream),
+          format(format),
+          isAscii(format == PlyFormat::Ascii),
           swap((format == PlyFormat::BigEndian) != (std::endian::native == std::endian::big)) {}
 
-    /// False at the end of the file and, with Misfit() set, where an ascii word is no such number.
+    /// False at the end of the file and where an ascii word is no such number.
     bool Next(PlyType type, double *value) {
         if (isAscii) return NextWord(type, value);
         const size_t size = PlySize(type);
@@ -50,16 +62,29 @@ class PlyValues {
         return true;
     }
     bool Skip(PlyType type, uint64_t count);
+    /// The property's number, or a list's count with the list passed over.
+    bool NextOrSkipList(const PlyProperty &p, double *value) {
+        if (!Next(p.countType.value_or(p.type), value)) return false;
+        return !p.IsList() || Skip(p.type, *value > 0 ? uint64_t(*value) : 0);
+    }
+
+    PlyStream &Stream() { return stream; }
+    PlyFormat Format() const { return format; }
+    /// Rows of the element to make room for; a gzipped file's promises are not trusted.
+    size_t RowsAhead(const PlyElement &e) const {
+        return stream.KnowsLength() ? e.count : std::min<size_t>(e.count, size_t(1) << 20);
+    }
+    /// What is wrong after a call returned false within the element's row.
+    std::string ProblemIn(const PlyElement &e, size_t row) const;
 
     bool Swaps() const { return swap; }
-    /// The word that is no number, or empty.
-    const std::string &Misfit() const { return misfit; }
 
   private:
     bool NextWord(PlyType type, double *value);
     PlyStream &stream;
+    PlyFormat format;
     bool isAscii, swap;
-    std::string misfit;
+    std::string misfit;  ///< the word that is no number
 };
 
 }  // namespace pbrt

@@ -80,9 +80,8 @@ inline SurfacePoint InteractDisk(const Disk &disk, const Hit &hit, const Ray &ra
     const float cosPhi = r > least ? x / r : 1, sinPhi = r > least ? y / r : 0;
     const Vector3f dpdu = disk.phiMax * std::max(r, least) * Vector3f{-sinPhi, cosPhi, 0};
     const Vector3f dpdv = -width * Vector3f{cosPhi, sinPhi, 0};
-    return PlaceQuadric<kWithError>(
-        disk.renderFromObject, p, {0, 0, 1}, disk.flipNormal, dpdu, dpdv,
-        {Azimuth(x, y) / disk.phiMax, (disk.radius - r) / width});
+    return PlaceQuadric<kWithError>(disk.renderFromObject, p, {0, 0, 1}, disk.flipNormal, dpdu,
+                                    dpdv, {Azimuth(x, y) / disk.phiMax, (disk.radius - r) / width});
 }
 
 template <bool kWithError>

@@ -115,8 +115,7 @@ class Rectangle {
             // Area times cosine over squared distance of the middle: about the solid angle.
             const float d2 = Sqr(x0 + r.width / 2) + Sqr(y0 + r.height / 2) + Sqr(h);
             const float most = 0.25f * d2;
-            if (Sqr(r.width * r.height * h) < most * most * d2 &&
-                Sqr(r.width) + Sqr(r.height) < d2)
+            if (Sqr(r.width * r.height * h) < most * most * d2 && Sqr(r.width) + Sqr(r.height) < d2)
                 return {};
             const SeenRectangle seen(x0, x0 + r.width, y0, y0 + r.height, h);
             // Thin strips: the solid angle's absolute error of 2e-7 must not show.

@@ -7,8 +7,12 @@ namespace pbrt {
 
 using Vector3d = Vec3<double>;
 
-inline Vector3d ToDouble(Vector3f v) { return {v.x, v.y, v.z}; }
-inline Vector3f ToFloat(Vector3d v) { return {float(v.x), float(v.y), float(v.z)}; }
+inline Vector3d ToDouble(Vector3f v) {
+    return {v.x, v.y, v.z};
+}
+inline Vector3f ToFloat(Vector3d v) {
+    return {float(v.x), float(v.y), float(v.z)};
+}
 
 /// m applied to a point without float rounding; m is affine.
 inline Vector3d PointInDouble(const Matrix4 &m, Vector3d p) {

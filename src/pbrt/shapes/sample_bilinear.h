@@ -55,7 +55,8 @@ class BilinearSampler {
             : a00(Length(Cross(q.p10 - q.p00, q.p01 - q.p00))),
               a10(Length(Cross(q.p10 - q.p00, q.p11 - q.p10))),
               a01(Length(Cross(q.p11 - q.p01, q.p01 - q.p00))),
-              a11(Length(Cross(q.p11 - q.p01, q.p11 - q.p10))), sum(a00 + a10 + a01 + a11) {}
+              a11(Length(Cross(q.p11 - q.p01, q.p11 - q.p10))),
+              sum(a00 + a10 + a01 + a11) {}
     };
 
     /// x in [0, 1) with density linear from a to b.

@@ -56,11 +56,15 @@ inline ShapeSample QuadricSample(const Transform &t, Point3f p, Normal3f n, bool
 }
 
 // Areas in object space.
-inline float ObjectArea(const Sphere &s) { return s.phiMax * s.radius * (s.zMax - s.zMin); }
+inline float ObjectArea(const Sphere &s) {
+    return s.phiMax * s.radius * (s.zMax - s.zMin);
+}
 inline float ObjectArea(const Disk &d) {
     return 0.5f * d.phiMax * (d.radius - d.innerRadius) * (d.radius + d.innerRadius);
 }
-inline float ObjectArea(const Cylinder &c) { return c.phiMax * c.radius * (c.zMax - c.zMin); }
+inline float ObjectArea(const Cylinder &c) {
+    return c.phiMax * c.radius * (c.zMax - c.zMin);
+}
 
 /// z and azimuth are uniform (Archimedes).
 inline ShapeSample SampleQuadric(const Sphere &s, Point2f u) {
@@ -125,8 +129,7 @@ struct SeenSphere {
         const float share = std::min(sin2Theta / sin2Max, 1.f);
         const float sinMax = std::sqrt(sin2Max);
         // alpha at the center: radius sin(alpha) = (distance to the point) sin(theta).
-        const float cosAlpha =
-            std::min(sin2Theta / sinMax + cosTheta * SafeSqrt(1 - share), 1.f);
+        const float cosAlpha = std::min(sin2Theta / sinMax + cosTheta * SafeSqrt(1 - share), 1.f);
         const float sinAlpha = std::sqrt(share) * (cosTheta - sinMax * SafeSqrt(1 - share));
         const SinCos phi = SinCosTurns(u.y);
         const Frame frame = Frame::FromZ(Normalize(ref - center));

@@ -13,8 +13,11 @@ namespace pbrt {
 class TriangleSampler {
   public:
     TriangleSampler(const TriangleMesh &mesh, uint32_t primitive)
-        : mesh(mesh), i(&mesh.indices[3 * size_t(primitive)]), p0(mesh.p[i[0]]),
-          e1(mesh.p[i[1]] - p0), e2(mesh.p[i[2]] - p0) {}
+        : mesh(mesh),
+          i(&mesh.indices[3 * size_t(primitive)]),
+          p0(mesh.p[i[0]]),
+          e1(mesh.p[i[1]] - p0),
+          e2(mesh.p[i[2]] - p0) {}
 
     float Area() const { return 0.5f * Length(Cross(e1, e2)); }
 
@@ -46,23 +49,23 @@ class TriangleSampler {
         if (mesh.n.empty()) return 1;
         const Normal3f n = Normal();
         const bool s0 = Dot(n, mesh.n[i[0]]) < 0;
-        const bool agree =
-            s0 == (Dot(n, mesh.n[i[1]]) < 0) && s0 == (Dot(n, mesh.n[i[2]]) < 0);
+        const bool agree = s0 == (Dot(n, mesh.n[i[1]]) < 0) && s0 == (Dot(n, mesh.n[i[2]]) < 0);
         return agree ? (s0 ? -1 : 1) : 0;
     }
 
   private:
     // With unit vectors a, b, c to the corners, tan(area / 2) = |det(a, b, c)| / (1 + a.b + b.c +
-    // c.a) (Van Oosterom, Strackee 1983). A point on the arc from a to c, the mirror image of a in h = x a + y c,
-    // cuts off the triangle (a, b, point) with tan = y det / (x (1 + a.b) + y (a + b).c);
-    // solving for x : y at the wanted share of the area needs no inverse function. Then Arvo
+    // c.a) (Van Oosterom, Strackee 1983). A point on the arc from a to c, the mirror image of a in
+    // h = x a + y c, cuts off the triangle (a, b, point) with tan = y det / (x (1 + a.b) + y (a +
+    // b).c); solving for x : y at the wanted share of the area needs no inverse function. Then Arvo
     // 1995: along the arc from b to the point, 1 - cos(distance from b) is uniform.
     struct Seen {
         Vector3f a, b, c;
         float det, sumC, sumAB, solidAngle;
 
         Seen(const TriangleSampler &t, Point3f ref)
-            : a(Normalize(t.p0 - ref)), b(Normalize(t.p0 + t.e1 - ref)),
+            : a(Normalize(t.p0 - ref)),
+              b(Normalize(t.p0 + t.e1 - ref)),
               c(Normalize(t.p0 + t.e2 - ref)) {
             det = AbsDot(a, Cross(b - a, c - a));
             sumC = Dot(a + b, c);
@@ -102,11 +105,9 @@ class TriangleSampler {
         s.pError = Gamma(8) * (Abs(q0) + Abs(q1) + Abs(q2));
         s.n = Normal();
         if (!mesh.n.empty())
-            s.n = FaceForward(s.n,
-                              b0 * mesh.n[i[0]] + b1 * mesh.n[i[1]] + b2 * mesh.n[i[2]]);
-        s.uv = mesh.uv.empty()
-                   ? Point2f{b1 + b2, b2}
-                   : b0 * mesh.uv[i[0]] + b1 * mesh.uv[i[1]] + b2 * mesh.uv[i[2]];
+            s.n = FaceForward(s.n, b0 * mesh.n[i[0]] + b1 * mesh.n[i[1]] + b2 * mesh.n[i[2]]);
+        s.uv = mesh.uv.empty() ? Point2f{b1 + b2, b2}
+                               : b0 * mesh.uv[i[0]] + b1 * mesh.uv[i[1]] + b2 * mesh.uv[i[2]];
         s.pdf = pdf;
         return s;
     }

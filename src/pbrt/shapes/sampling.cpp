@@ -69,11 +69,16 @@ NormalCone QuadricNormals(const Q &) {
 template <typename Mesh, typename Quadric>
 auto Visit(const Shape &shape, uint32_t primitive, Mesh mesh, Quadric quadric) {
     switch (shape.index()) {
-    case 0: return mesh(TriangleSampler(*std::get_if<0>(&shape), primitive));
-    case 1: return mesh(BilinearSampler(*std::get_if<1>(&shape), primitive));
-    case 2: return quadric(*std::get_if<2>(&shape));
-    case 3: return quadric(*std::get_if<3>(&shape));
-    default: return quadric(*std::get_if<4>(&shape));
+        case 0:
+            return mesh(TriangleSampler(*std::get_if<0>(&shape), primitive));
+        case 1:
+            return mesh(BilinearSampler(*std::get_if<1>(&shape), primitive));
+        case 2:
+            return quadric(*std::get_if<2>(&shape));
+        case 3:
+            return quadric(*std::get_if<3>(&shape));
+        default:
+            return quadric(*std::get_if<4>(&shape));
     }
 }
 

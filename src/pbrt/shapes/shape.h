@@ -19,8 +19,9 @@ std::vector<Shape> CreateShapes(const ShapeEntity &entity, ParamDict &params,
                                 const Transform &renderFromObject);
 std::span<const std::string_view> ShapeNames();
 
-/// The one patch that a mesh of two triangles covers, with the same normal, if it is a parallelogram
-/// without vertex normals (to 1e-5 of its sides) whose triangles are (a b c) and (a c d).
+/// The one patch that a mesh of two triangles covers, with the same normal, if it is a
+/// parallelogram without vertex normals (to 1e-5 of its sides) whose triangles are (a b c) and (a c
+/// d).
 std::optional<Shape> AsParallelogram(const TriangleMesh &mesh);
 
 size_t NPrimitives(const Shape &shape);

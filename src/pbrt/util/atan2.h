@@ -15,9 +15,9 @@ inline float FastAtan2(float y, float x) {
     // Written so that it compiles without jumps: quadrants are anybody's guess.
     const float ax = std::abs(x), ay = std::abs(y);
     const float q = std::min(ax, ay) / std::max({ax, ay, 1e-38f}), s = q * q;
-    const float octant = q * EvaluatePolynomial(s, 1.f, -0.333330721f, 0.199926198f, -0.142036453f,
-                                                0.106409349f, -0.0750429556f, 0.0426915251f,
-                                                -0.0160686299f, 0.00284988945f);
+    const float octant =
+        q * EvaluatePolynomial(s, 1.f, -0.333330721f, 0.199926198f, -0.142036453f, 0.106409349f,
+                               -0.0750429556f, 0.0426915251f, -0.0160686299f, 0.00284988945f);
     const float quadrant = (ay > ax ? Pi / 2 : 0) + std::copysign(octant, ax - ay);
     const float half = (x < 0 ? Pi : 0) + std::copysign(quadrant, x);
     return std::copysign(half, y);
