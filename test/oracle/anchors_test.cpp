@@ -99,8 +99,8 @@ Drawn Draw(const Sampled &barbule, Vec3 w, std::uint64_t seed, int samples) {
 // quadrature, return what the tracer returns; the quadrature may be off by half a percent of TRT.
 TEST(Anchors, SamplesReturnWhatIsTraced) {
     std::uint64_t seed = 7200;
-    for (const Shape &shape :
-         {Shape{}, Shape{.spacing = 2.5}, Shape{.spacing = 0.3}, Shape{.tilt = -0.8}})
+    for (const Shape &shape : {Shape{}, Shape{.spacing = 2.5}, Shape{.spacing = 0.3},
+                               Shape{.tilt = -0.8}, Shape{.aspect = 1}, Shape{.opening = 0.9}})
         for (const auto &[theta, phi] : {std::pair{0, 0}, {40, 30}, {60, 180}, {80, 80}})
             for (const double side : {1, -1}) {
                 const Vec3 w = side * Towards(theta, phi);
