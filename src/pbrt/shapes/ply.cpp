@@ -79,15 +79,16 @@ class PlyReader {
         if (!stream.Fill(kBytes)) return 0;
         const uint8_t *from = stream.Data();
         most = std::min(most, stream.Available() / kBytes);
+        size_t n = 0;
+        while (n < most && from[n * kBytes] == 3)
+            ++n;
         const size_t before = mesh.triangles.size();
-        mesh.triangles.resize(before + 3 * most);
+        mesh.triangles.resize(before + 3 * n);
         uint32_t *to = mesh.triangles.data() + before;
         const bool swap = values->Swaps();
-        size_t n = 0;
-        for (; n < most && *from == 3; ++n, from += kBytes, to += 3)
+        for (size_t i = 0; i < n; ++i, from += kBytes, to += 3)
             for (int k = 0; k < 3; ++k)
                 to[k] = LoadValue<uint32_t>(from + 1 + 4 * k, swap);
-        mesh.triangles.resize(before + 3 * n);
         stream.Skip(n * kBytes);
         return n;
     }
