@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <set>
-
 namespace pbrt {
 namespace {
 
@@ -51,22 +49,13 @@ class ShapeBuilder {
         }
     }
 
-    /// Every use of an object, with the uses inside it, as one-deep instances.
-    void AddInstance(const InstanceUse &use, const TransformPair &renderFromParent,
-                     std::vector<std::string> chain = {}) {
-        const auto object = scene.objects.find(use.name);
-        if (object == scene.objects.end()) {
-            log.Error(use.loc, Unknown("object", use.name, scene.objects));
-            return;
-        }
-        if (std::find(chain.begin(), chain.end(), use.name) != chain.end()) {
-            log.Error(use.loc, fmt::format("object \"{}\" contains itself", use.name));
-            return;
-        }
-        chain.push_back(use.name);
+    /// Every use of an object, with the uses inside it, as one-deep instances. The parser has seen
+    /// to it that the object exists and does not contain itself.
+    void AddInstance(const InstanceUse &use, const TransformPair &renderFromParent) {
+        const ObjectEntity &object = scene.objects.at(use.name);
         TransformPair t;
         for (int i = 0; i < 2; ++i) t[i] = renderFromParent[i] * use.worldFromInstance[i];
-        if (!object->second.shapes.empty()) {
+        if (!object.shapes.empty()) {
             Instance instance;
             instance.object = objectIndex.at(use.name);
             instance.renderFromObject = t;
@@ -74,7 +63,7 @@ class ShapeBuilder {
             world.moves |= instance.moving;
             world.instances.push_back(instance);
         }
-        for (const InstanceUse &inner : object->second.instances) AddInstance(inner, t, chain);
+        for (const InstanceUse &inner : object.instances) AddInstance(inner, t);
     }
 
     void AddObjects() {
@@ -112,20 +101,10 @@ class ShapeBuilder {
     std::vector<EmissiveShape> emitters;
 
   private:
+    /// The parser has seen to it that named materials exist.
     int MaterialOf(const ShapeEntity &entity) {
-        if (entity.namedMaterial.empty())
-            return entity.material < 0 ? materials.fallback : materials.unnamed[entity.material];
-        const auto found = materials.named.find(entity.namedMaterial);
-        if (found != materials.named.end()) return found->second;
-        log.Error(entity.loc, Unknown("named material", entity.namedMaterial, materials.named));
-        return MaterialTable::kMissing;
-    }
-
-    template <typename Map>
-    static std::string Unknown(std::string_view kind, std::string_view name, const Map &map) {
-        std::vector<std::string_view> names;
-        for (const auto &entry : map) names.push_back(entry.first);
-        return UnknownName(kind, name, names);
+        if (!entity.namedMaterial.empty()) return materials.named.at(entity.namedMaterial);
+        return entity.material < 0 ? materials.fallback : materials.unnamed[entity.material];
     }
 
     const Description &scene;
@@ -150,7 +129,6 @@ MaterialTable BuildMaterials(const Description &scene, const NamedTextures &text
     for (const NamedMaterialEntity &entity : scene.namedMaterials) {
         ParamDict params(entity.params, entity.loc, fmt::format("material \"{}\"", entity.type),
                          entity.colorSpace, &log, scene.dir);
-        params.GetOneString("type", "");
         table.named[entity.name] = AddMaterial(entity.type, params, textures, world);
     }
     return table;

@@ -15,14 +15,6 @@ constexpr NumberRow kMaxComponent{"maxcomponentvalue", "", Infinity, 0, Infinity
 constexpr NumberRow kWhiteBalance{"whitebalance", "K", 0, 0, 25000, "0: none"};
 constexpr NumberRow kDiagonal{"diagonal", "mm", 35, 1e-6f, 1e6f, "of the film"};
 
-/// CIE xy of daylight of T kelvin (4000-25000), CIE 15:2004.
-std::array<float, 2> DaylightXY(float T) {
-    const double t = 1e3 / T;
-    const double x = T <= 7000 ? 0.244063 + t * (0.09911 + t * (2.9678 - t * 4.6070))
-                               : 0.237040 + t * (0.24748 + t * (1.9018 - t * 2.0064));
-    return {float(x), float(-3 * x * x + 2.870 * x - 0.275)};
-}
-
 PixelBounds Crop(Point2i full, const std::array<float, 4> &c) {
     const auto edge = [](float f, int n) {
         return std::clamp(int(std::ceil(f * n)), 0, n);
@@ -59,7 +51,10 @@ PixelBounds ReadBounds(ParamDict &params, const FilmOverrides &overrides, Point2
 /// y: lights are (PBRT_FORMAT 2.10), so that a light of 1 gives a pixel of 1.
 std::vector<std::array<float, 4>> Matching(const RGBColorSpace &space, float whiteBalance) {
     Matrix3 adapt{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-    if (whiteBalance > 0) adapt = WhiteBalance(DaylightXY(whiteBalance), space.Chromaticities()[3]);
+    if (whiteBalance > 0) {
+        const std::array<double, 2> xy = DaylightChromaticity(whiteBalance);
+        adapt = WhiteBalance({float(xy[0]), float(xy[1])}, space.Chromaticities()[3]);
+    }
     std::vector<std::array<float, 4>> table(int(LambdaMax - LambdaMin) + 1);
     constexpr float scale = 1.f / NSpectrumSamples;
     for (size_t i = 0; i < table.size(); ++i) {
