@@ -12,7 +12,7 @@ std::vector<double> Axis::Ticks(int count) const {
     std::vector<double> ticks;
     const double slack = step * 1e-6;
     for (double k = std::ceil((lo - slack) / step); k * step <= hi + slack; ++k)
-        ticks.push_back(k * step);
+        ticks.push_back(k * step + 0.0);  // no -0
     return ticks;
 }
 

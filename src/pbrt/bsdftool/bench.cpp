@@ -1,4 +1,132 @@
-#include "pbrt/bsdftool/commands.h"
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "pbrt/bsdftool/bench_cases.h"
+#include "pbrt/bsdftool/command_line.h"
+
 namespace pbrt::bsdftool {
-Outcome RunBench(Args) { return {}; }
+namespace {
+
+/// Other materials timed in the same run, where they exist.
+constexpr std::array<std::array<std::string_view, 3>, 2> kYardsticks{
+    {{"hair", "hair", "Material \"hair\""},
+     {"conductor", "conductor, GGX 0.3",
+      "Material \"conductor\" \"float roughness\" 0.3 \"bool remaproughness\" false"}}};
+
+struct Options {
+    CommonOptions common;
+    std::string csv;
+    int rounds = 20, pairs = 1000;
+};
+
+/// R is zero for most pairs and cheap: so many more of them than for TRT.
+constexpr int kPairsForParts = 16;
+
+std::optional<Outcome> ParseOptions(Args args, Options *o) {
+    CLI::App app(
+        "Nanoseconds per f, PDF and Sample_f of a material (4 wavelengths, one thread, directions "
+        "uniform on the upper hemisphere, the fastest of several runs), beside other materials and "
+        "sinf. For featherbarbule also the time of Sample_f without f, time and error of each "
+        "quadrature of TRT, and the errors of R, PDF and T, all against double precision with a "
+        "converged quadrature.",
+        "bsdftool bench");
+    AddMaterial(&app, &o->common);
+    app.add_option("--rounds", o->rounds,
+                   "rounds of three passes, of which the fastest counts (default: 20)")
+        ->check(CLI::Range(1, 100000));
+    app.add_option("--pairs", o->pairs, "pairs of directions for errors (default: 1000)")
+        ->check(CLI::Range(1, 1000000));
+    app.add_option("--csv", o->csv, "file for the same table as CSV");
+    return cli::Parse(&app, args);
 }
+
+std::vector<BenchCase> Yardsticks() {
+    std::vector<BenchCase> cases{SineCase()};
+    const std::vector<std::string_view> known = MaterialNames();
+    for (const auto &[type, name, text] : kYardsticks) {
+        if (std::find(known.begin(), known.end(), type) == known.end()) continue;
+        Diagnostics log;
+        if (const auto source = ReadMaterial(std::string(text), "", log))
+            cases.push_back(CaseOf(std::string(name), source->material));
+    }
+    return cases;
+}
+
+std::string Cell(const std::optional<double> &value, int digits) {
+    return value ? fmt::format(" {:9.{}f}", *value, digits) : fmt::format(" {:>9}", "");
+}
+
+std::optional<double> Percent(const std::optional<double> &share) {
+    if (!share) return {};
+    return *share * 100;
+}
+
+std::string Table(const std::vector<BenchCase> &cases) {
+    std::string table = fmt::format("{:<22} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n", "", "f ns",
+                                    "PDF ns", "Sample_f", "without f", "light %", "f %");
+    for (const BenchCase &c : cases) {
+        const BenchRow &r = c.row;
+        table += fmt::format("{:<22}", r.name) + Cell(r.f, 1) + Cell(r.pdf, 1) + Cell(r.sample, 1) +
+                 Cell(r.draw, 1) + Cell(Percent(r.lightError), 3) + Cell(Percent(r.fError), 3);
+        table.erase(table.find_last_not_of(' ') + 1);
+        table += '\n';
+    }
+    return table;
+}
+
+std::string Csv(const std::vector<BenchCase> &cases) {
+    const auto cell = [](const std::optional<double> &value) {
+        return value ? fmt::format(",{:.6g}", *value) : std::string(",");
+    };
+    std::string csv =
+        "name,f_ns,pdf_ns,sample_ns,sample_without_f_ns,trt_light_error,trt_f_error\n";
+    for (const auto &[r, timers] : cases)
+        csv += fmt::format("\"{}\"", r.name) + cell(r.f) + cell(r.pdf) + cell(r.sample) +
+               cell(r.draw) + cell(r.lightError) + cell(r.fError) + "\n";
+    return csv;
+}
+
+/// What the targets are about: times that hardly depend on the machine.
+std::string Ratios(const BenchRow &row, const BenchRow &sine) {
+    const double unit = *sine.f;
+    std::string text = fmt::format("{}: f {:.1f}, PDF {:.1f}, Sample_f {:.1f}", row.name,
+                                   *row.f / unit, *row.pdf / unit, *row.sample / unit);
+    if (row.draw) text += fmt::format(", without f {:.1f}", *row.draw / unit);
+    return text + " times sinf\n";
+}
+
+std::string Describe(const PartErrors &e) {
+    return fmt::format(
+        "light %, f %: rms error of TRT times both cosines, and of TRT, relative to the mean\n"
+        "Largest errors away from edges: R {:.2g} of its largest wavelength ({} pairs), PDF "
+        "{:.2g}; "
+        "T {:.2g}\n",
+        e.R, e.lit, e.pdf, e.gap);
+}
+
+}  // namespace
+
+Outcome RunBench(Args args) {
+    Options o;
+    if (auto end = ParseOptions(args, &o)) return *end;
+    Diagnostics log;
+    const auto source = ReadMaterial(o.common, log);
+    CheckWritable(o.csv, log);
+    if (log.HasErrors()) return Finish(log);
+
+    std::vector<BenchCase> cases{CaseOf(source->type, source->material)};
+    const auto add = [&](std::vector<BenchCase> more) {
+        std::move(more.begin(), more.end(), std::back_inserter(cases));
+    };
+    add(Yardsticks());
+    const auto *barbule = std::get_if<FeatherBarbuleMaterial>(&source->material);
+    if (barbule) add(QuadratureCases(*barbule, o.pairs));
+    RunTimers(cases, o.rounds);
+    WriteText(o.csv, Csv(cases), log);
+    std::string text = Table(cases) + Ratios(cases[0].row, cases[1].row);
+    if (barbule) text += Describe(MeasureParts(*barbule, kPairsForParts * o.pairs));
+    return Finish(log, std::move(text));
+}
+
+}  // namespace pbrt::bsdftool

@@ -32,6 +32,7 @@ void Canvas::Line(Place from, Place to, Ink ink, double width) {
 void Canvas::Polyline(std::span<const Place> points, Ink ink, double width) {
     SetInk(ink, width);
     cairo_set_line_join(context.get(), CAIRO_LINE_JOIN_ROUND);
+    cairo_new_path(context.get());  // text leaves a point behind
     for (const Place &p : points)
         cairo_line_to(context.get(), p.x, p.y);
     cairo_stroke(context.get());
@@ -51,7 +52,7 @@ void Canvas::Outline(Place corner, Place size, Ink ink, double width) {
 
 void Canvas::Circle(Place center, double radius, Ink ink, double width) {
     SetInk(ink, width);
-    cairo_new_sub_path(context.get());
+    cairo_new_path(context.get());
     cairo_arc(context.get(), center.x, center.y, radius, 0, 2 * std::numbers::pi);
     cairo_stroke(context.get());
 }
@@ -96,6 +97,7 @@ void Canvas::Disc(Place corner, const Image &image, float exposure) {
         }
     cairo_surface_mark_dirty(picture.get());
     cairo_save(context.get());
+    cairo_new_path(context.get());
     cairo_arc(context.get(), corner.x + width / 2.0, corner.y + height / 2.0,
               std::min(width, height) / 2.0, 0, 2 * std::numbers::pi);
     cairo_clip(context.get());

@@ -68,8 +68,8 @@ void WriteText(const std::string &fileName, std::string_view text, Diagnostics &
 Outcome Finish(const Diagnostics &log, std::string out) {
     Outcome outcome;
     for (const Message &m : log.Messages())
-        outcome.err += fmt::format(
-            "{}: {}\n", m.severity == Severity::Error ? "Error" : "Warning", m.text);
+        outcome.err +=
+            fmt::format("{}: {}\n", m.severity == Severity::Error ? "Error" : "Warning", m.text);
     if (log.HasErrors())
         outcome.exitCode = 1;
     else

@@ -8,18 +8,13 @@ namespace {
 constexpr std::array kCommands{
     cli::Command{"bench", "time of f, PDF and Sample_f, and a feather's error", RunBench},
     cli::Command{"eval", "values for pairs of directions, as JSON lines", RunEval},
-    cli::Command{"furnace", "what becomes of light, by direction: R, TRT, T, absorbed",
-                 RunFurnace},
+    cli::Command{"furnace", "what becomes of light, by direction: R, TRT, T, absorbed", RunFurnace},
     cli::Command{"plot", "pictures of the light scattered to either side", RunPlot},
     cli::Command{"spectrum", "reflectance against wavelength and angle", RunSpectrum},
 };
 
-constexpr cli::Tool kTool{"bsdftool", "<command> MATERIAL [options]", kCommands};
-
 }  // namespace
 
-Outcome Run(Args args) {
-    return cli::Run(kTool, args);
-}
+const cli::Tool kTool{"bsdftool", "<command> MATERIAL [options]", kCommands};
 
 }  // namespace pbrt::bsdftool

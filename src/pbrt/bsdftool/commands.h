@@ -10,8 +10,7 @@ namespace pbrt::bsdftool {
 using cli::Args;
 using cli::Outcome;
 
-/// bsdftool as a whole: `args` without the program's name.
-Outcome Run(Args args);
+extern const cli::Tool kTool;
 
 Outcome RunBench(Args args);
 Outcome RunEval(Args args);

@@ -18,9 +18,10 @@ constexpr std::string_view kHeader = "wo_x,wo_y,wo_z,wi_x,wi_y,wi_z";
 /// nullopt, with a reason in the log, where v has no direction.
 std::optional<LocalDirection> Normalized(const double *v, std::string_view name, const FileLoc &loc,
                                          Diagnostics &log) {
-    // Scaled first: hypot would be infinite beyond 1e308, and inaccurate below 1e-308.
+    // Scaled first: the length of what is large overflows, and of what is tiny is inexact.
     const double largest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
-    if (!std::isfinite(v[0] + v[1] + v[2]) || largest == 0) {
+    const bool finite = std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
+    if (!finite || largest == 0) {
         log.Error(loc, fmt::format("{} = ({:g}, {:g}, {:g}) is no direction: it must be finite and "
                                    "not 0",
                                    name, v[0], v[1], v[2]));

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "pbrt/bsdftool/oracle.h"
 #include "pbrt/bsdftool/spectral_bsdf.h"
-#include "pbrt/feather/pigment.h"
 #include "pbrt/util/check.h"
 
 namespace pbrt::bsdftool {
@@ -87,8 +87,8 @@ Evaluation Evaluate(const Material &material, const DirectionPair &pair,
 Evaluation EvaluateOracle(const Material &material, const DirectionPair &pair,
                           const std::vector<float> &lambda) {
     DCHECK(HasOracle(material));
-    return EvaluateBarbule<double, feather::Converged<3, 4>>(
-        std::get<FeatherBarbuleMaterial>(material), pair, lambda);
+    return EvaluateBarbule<double, OracleQuadrature>(std::get<FeatherBarbuleMaterial>(material),
+                                                     pair, lambda);
 }
 
 std::string JsonLine(const DirectionPair &pair, const std::vector<float> &lambda,
@@ -96,13 +96,12 @@ std::string JsonLine(const DirectionPair &pair, const std::vector<float> &lambda
     const auto triple = [](const LocalDirection &w) {
         return fmt::format("[{:.9g},{:.9g},{:.9g}]", w.x, w.y, w.z);
     };
-    std::string line =
-        fmt::format("{{\"wo\":{},\"wi\":{},\"lambda\":[{}],\"f\":[{}],\"pdf\":{:.9g}",
-                    triple(pair.wo), triple(pair.wi),
-                    Join(std::vector<double>(lambda.begin(), lambda.end())), Join(e.f), e.pdf);
+    std::string line = fmt::format(
+        "{{\"wo\":{},\"wi\":{},\"lambda\":[{}],\"f\":[{}],\"pdf\":{:.9g}", triple(pair.wo),
+        triple(pair.wi), Join(std::vector<double>(lambda.begin(), lambda.end())), Join(e.f), e.pdf);
     if (e.hasParts)
-        line += fmt::format(",\"gap\":{:.9g},\"R\":[{}],\"TRT\":[{}]", e.gap, Join(e.R),
-                            Join(e.TRT));
+        line +=
+            fmt::format(",\"gap\":{:.9g},\"R\":[{}],\"TRT\":[{}]", e.gap, Join(e.R), Join(e.TRT));
     return line + "}";
 }
 

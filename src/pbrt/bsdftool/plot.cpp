@@ -30,13 +30,13 @@ std::optional<Outcome> ParseOptions(Args args, Options *o) {
     app.add_option("--exposure", o->exposure,
                    "factor of the PNG's values (default: such that one in a hundred is too bright)")
         ->check(CLI::PositiveNumber);
-    app.add_option("--resolution", o->picture.resolution, "pixels across a disc (default: 300)")
+    app.add_option("--resolution", o->picture.resolution, "pixels across a disc (default: 256)")
         ->check(CLI::Range(8, 4096));
     app.add_option("--subpixels", o->picture.subpixels,
                    "directions per pixel, each way (default: 2)")
         ->check(CLI::Range(1, 64));
     app.add_option("--wavelengths", o->picture.wavelengths,
-                   "how many make up a colour (default: 64)")
+                   "how many make up a color (default: 40; films of many micrometres need more)")
         ->check(CLI::Range(4, 4096));
     AddIlluminant(&app, &o->common);
     app.add_option("--exr", o->exr, "file for the values: linear sRGB without exposure");
@@ -51,7 +51,8 @@ std::vector<LightAngles> ReadLights(const std::vector<std::string> &texts, Diagn
         const std::vector<float> angles = ReadNumbers(text, "--light", -360, 360, log);
         if (log.HasErrors()) continue;
         if (angles.size() != 2)
-            log.Error({}, fmt::format("--light: expected theta,phi in degrees, found \"{}\"", text));
+            log.Error({},
+                      fmt::format("--light: expected theta,phi in degrees, found \"{}\"", text));
         else if (angles[0] < 0 || angles[0] > 180)
             log.Error({}, fmt::format("--light: theta {:g} is outside [0, 180]", angles[0]));
         else
@@ -88,9 +89,11 @@ Outcome RunPlot(Args args) {
     if (!o.exr.empty())
         if (const auto why = WriteImage(SideBySide(views), o.exr, ExrPixels::Float))
             log.Error({}, *why);
-    WriteText(o.png, o.png.empty() ? std::string() :
-              ScatterogramSheet(views, exposure, o.common.material,
-                                o.picture.timesCosine ? "f cos(theta) [1/sr]" : "f [1/sr]"),
+    WriteText(o.png,
+              o.png.empty()
+                  ? std::string()
+                  : ScatterogramSheet(views, exposure, o.common.material,
+                                      o.picture.timesCosine ? "f cos(theta) [1/sr]" : "f [1/sr]"),
               log);
     return Finish(log, fmt::format("exposure {:.6g}\n", exposure));
 }

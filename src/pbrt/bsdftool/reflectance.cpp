@@ -27,7 +27,8 @@ ReflectanceTable TabulateReflectance(const Material &material, const Reflectance
 }
 
 std::string ReflectanceCsv(const ReflectanceTable &table) {
-    std::string csv = fmt::format("theta,phi,lambda,reflectance{}\n", table.hasParts ? ",R,TRT" : "");
+    std::string csv =
+        fmt::format("theta,phi,lambda,reflectance{}\n", table.hasParts ? ",R,TRT" : "");
     for (const auto &angle : table.angles)
         for (size_t i = 0; i < table.lambda.size(); ++i) {
             csv += fmt::format("{:g},{:g},{:g},{:.9g}", angle.theta, table.phi, table.lambda[i],
@@ -40,15 +41,15 @@ std::string ReflectanceCsv(const ReflectanceTable &table) {
 }
 
 std::string ColorTable(const ReflectanceTable &table) {
-    std::string text = fmt::format("{:>6} {:>7} {:>7} {:>8}   {}\n", "theta", "x", "y", "Y",
-                                   "linear sRGB");
+    std::string text =
+        fmt::format("{:>6} {:>7} {:>7} {:>8}   {}\n", "theta", "x", "y", "Y", "linear sRGB");
     for (const auto &angle : table.angles) {
         const XYZ &c = angle.color;
         const float sum = c.X + c.Y + c.Z;
         const RGB rgb = RGBColorSpace::sRGB().ToRGB(c);
-        text += fmt::format("{:6g} {:7.4f} {:7.4f} {:8.5f}   {:.4f} {:.4f} {:.4f}\n", angle.theta,
-                            sum > 0 ? c.X / sum : 0, sum > 0 ? c.Y / sum : 0, c.Y, rgb.r, rgb.g,
-                            rgb.b);
+        text +=
+            fmt::format("{:6g} {:7.4f} {:7.4f} {:8.5f}   {:.4f} {:.4f} {:.4f}\n", angle.theta,
+                        sum > 0 ? c.X / sum : 0, sum > 0 ? c.Y / sum : 0, c.Y, rgb.r, rgb.g, rgb.b);
     }
     return text;
 }

@@ -34,9 +34,9 @@ ReflectanceTable TabulateReflectance(const Material &material, const Reflectance
 
 /// theta,phi,lambda,reflectance and, where known, R and TRT.
 std::string ReflectanceCsv(const ReflectanceTable &table);
-/// The colours: theta, chromaticity x y, Y, linear sRGB.
+/// The colors: theta, chromaticity x y, Y, linear sRGB.
 std::string ColorTable(const ReflectanceTable &table);
-/// Curves of up to seven angles, and below a strip of colours of them all; a PNG file's bytes.
+/// Curves of up to seven angles, and below a strip of colors of them all; a PNG file's bytes.
 std::string ReflectanceChart(const ReflectanceTable &table, const std::string &title,
                              const std::string &illuminant);
 

@@ -13,7 +13,7 @@ namespace {
 constexpr int kWidth = 900, kHeight = 640;
 constexpr double kFont = 13, kLeft = 80, kRight = 790, kTop = 56, kBottom = 440;
 constexpr double kStripTop = 520, kStripBottom = 580;
-// Told apart by people of any colour vision (Okabe and Ito 2008).
+// Told apart by people of any color vision (Okabe and Ito 2008).
 constexpr std::array<Ink, 7> kInks{{{0, 0.447, 0.698},
                                     {0.902, 0.624, 0},
                                     {0, 0.620, 0.451},

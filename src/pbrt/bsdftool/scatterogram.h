@@ -15,10 +15,10 @@ struct LightAngles {
 };
 
 struct ScatterogramOptions {
-    int resolution = 300;    ///< pixels across a disc
-    int subpixels = 2;       ///< each way, averaged
-    bool timesCosine = true; ///< f |cos theta| of the scattered direction, else f; 1/sr
-    int wavelengths = 64;
+    int resolution = 256;     ///< pixels across a disc
+    int subpixels = 2;        ///< each way, averaged
+    bool timesCosine = true;  ///< f |cos theta| of the scattered direction, else f; 1/sr
+    int wavelengths = 40;
 };
 
 /// Light of one direction and where a material scatters it. Each side is a disc seen from above:

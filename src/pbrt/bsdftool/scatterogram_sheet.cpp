@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "pbrt/bsdftool/axis.h"
 #include "pbrt/bsdftool/canvas.h"
@@ -27,7 +28,7 @@ class Panel {
         canvas.Disc(corner, image, exposure);
         const Place middle{x.At(0), y.At(0)};
         for (double theta : {30.0, 60.0}) {
-            const double sine = std::sin(theta * M_PI / 180);
+            const double sine = std::sin(theta * std::numbers::pi / 180);
             canvas.Circle(middle, sine * size / 2, kRing);
             canvas.Text({x.At(0) + 3, y.At(sine) - 3}, fmt::format("{}°", theta), kSmall,
                         Align::Left, kMark);
@@ -105,13 +106,10 @@ std::string ScatterogramSheet(const std::vector<Scatterogram> &views, float expo
     Canvas canvas(int(width), int(kTop + row * double(views.size())));
     const double usable = width - kMargin - kRight;
     canvas.Text({kMargin, 24}, Shortened(canvas, title, kFont + 1, usable), kFont + 1);
-    canvas.Text({kMargin, 44},
-                Shortened(canvas,
-                          fmt::format("{}, times {:.4g}; ring: light, cross: straight reflection "
-                                      "or passage",
-                                      quantity, exposure),
-                          kSmall + 1, usable),
-                kSmall + 1);
+    const std::string legend =
+        fmt::format("{}, times {:.4g}; ring: light; cross: mirrored or passed straight{}", quantity,
+                    exposure, !views.empty() && views[0].hasGap ? "; y along the barbules" : "");
+    canvas.Text({kMargin, 44}, Shortened(canvas, legend, kSmall + 1, usable), kSmall + 1);
     for (size_t i = 0; i < views.size(); ++i)
         DrawView(canvas, views[i], kTop + row * double(i) + kAbove - 12, n, exposure);
     return canvas.Png();

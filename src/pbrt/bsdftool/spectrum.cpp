@@ -13,7 +13,7 @@ struct Options {
 std::optional<Outcome> ParseOptions(Args args, Options *o) {
     CLI::App app(
         "Reflectance of a material (what it scatters back to the side that the light comes from) "
-        "against wavelength and angle of incidence, and the colours this makes.",
+        "against wavelength and angle of incidence, and the colors this makes.",
         "bsdftool spectrum");
     AddMaterial(&app, &o->common);
     app.add_option("--thetas", o->thetas,
@@ -28,7 +28,7 @@ std::optional<Outcome> ParseOptions(Args args, Options *o) {
         ->check(CLI::Range(16, 1 << 24));
     AddIlluminant(&app, &o->common);
     app.add_option("--csv", o->csv, "file for theta,phi,lambda,reflectance and parts");
-    app.add_option("--png", o->png, "file for a plot: curves, and a strip of colours");
+    app.add_option("--png", o->png, "file for a plot: curves, and a strip of colors");
     return cli::Parse(&app, args);
 }
 
@@ -44,8 +44,7 @@ Outcome RunSpectrum(Args args) {
     CheckWritable(o.csv, log);
     CheckWritable(o.png, log);
     if (log.HasErrors()) return Finish(log);
-    const ReflectanceTable table =
-        TabulateReflectance(source->material, o.reflectance, illuminant);
+    const ReflectanceTable table = TabulateReflectance(source->material, o.reflectance, illuminant);
     WriteText(o.csv, ReflectanceCsv(table), log);
     if (!o.png.empty())
         WriteText(o.png, ReflectanceChart(table, o.common.material, o.common.illuminant), log);

@@ -1,5 +1,6 @@
 #include "pbrt/bsdftool/commands.h"
 
 int main(int argc, char **argv) {
-    return pbrt::cli::Print(pbrt::bsdftool::Run(std::vector<std::string>(argv + 1, argv + argc)));
+    const std::vector<std::string> args(argv + 1, argv + argc);
+    return pbrt::cli::Print(pbrt::cli::Run(pbrt::bsdftool::kTool, args));
 }

@@ -1,0 +1,50 @@
+#include "pbrt/bsdftool/bench_cases.h"
+
+#include <cmath>
+
+#include "pbrt/bsdftool/bench_model.h"
+#include "pbrt/bsdftool/spectral_bsdf.h"
+
+namespace pbrt::bsdftool {
+namespace {
+
+constexpr auto kMode = TransportMode::Radiance;
+
+}  // namespace
+
+BenchCase CaseOf(const std::string &name, const Material &material) {
+    BenchCase c;
+    c.row.name = name;
+    WithSpectralBSDF(material, {kBenchLambda.begin(), kBenchLambda.end()}, [&](auto spectral) {
+        const auto bsdf = spectral.parts[0].bsdf;
+        c.timers.push_back({&BenchRow::f, Pass([bsdf](const BenchInput &in) {
+                                return bsdf.f(in.wo, in.wi, kMode).Average();
+                            })});
+        c.timers.push_back({&BenchRow::pdf, Pass([bsdf](const BenchInput &in) {
+                                return bsdf.PDF(in.wo, in.wi, kMode);
+                            })});
+        c.timers.push_back({&BenchRow::sample, Pass([bsdf](const BenchInput &in) {
+                                const auto s = bsdf.Sample_f(in.wo, in.uc, in.u, kMode);
+                                return s ? s->f.Average() + s->pdf + s->wi.x : 0;
+                            })});
+    });
+    if (const auto *barbule = std::get_if<FeatherBarbuleMaterial>(&material)) {
+        const auto model = BenchModel<FeatherBarbuleBxDF::Model>(*barbule);
+        c.timers.push_back({&BenchRow::draw, Pass([model](const BenchInput &in) {
+                                const auto view = model.SeenFrom(Local<float>(in.wo));
+                                const auto s = model.SampleDirection(view, in.uc, in.u.x, in.u.y);
+                                return s ? s->pdf + s->wi.x : 0;
+                            })});
+    }
+    return c;
+}
+
+BenchCase SineCase() {
+    BenchCase c;
+    c.row.name = "sinf";
+    c.timers.push_back(
+        {&BenchRow::f, Pass([](const BenchInput &in) { return std::sin(2 * Pi * in.uc); })});
+    return c;
+}
+
+}  // namespace pbrt::bsdftool

@@ -1,0 +1,52 @@
+#include <cmath>
+
+#include "pbrt/bsdftool/bench_cases.h"
+#include "pbrt/bsdftool/bench_model.h"
+
+namespace pbrt::bsdftool {
+namespace {
+
+/// Closer to the horizon float leaves the gap fraction fewer digits: 5e-3 at 1e-5.
+constexpr float kNotGrazing = 0.01f;
+
+/// Whether small turns of wi leave all or nothing of R.
+bool AwayFromEdges(const Oracle &oracle, const feather::View<double> &view,
+                   const feather::Direction<double> &wi) {
+    constexpr double turn = 1e-4;
+    const bool lit = oracle.R(view, wi)[0] > 0;
+    for (int i = 0; i < 8; ++i) {
+        const double x = wi.x + ((i & 1) ? turn : -turn), y = wi.y + ((i & 2) ? turn : -turn),
+                     z = wi.z + ((i & 4) ? turn : -turn), length = std::hypot(x, y, z);
+        if ((oracle.R(view, {x / length, y / length, z / length})[0] > 0) != lit) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+PartErrors MeasureParts(const FeatherBarbuleMaterial &material, int pairs) {
+    const auto model = BenchModel<FeatherBarbuleBxDF::Model>(material);
+    const auto oracle = BenchModel<Oracle>(material);
+    PartErrors errors;
+    const auto raise = [](double &most, double error) { most = std::max(most, std::abs(error)); };
+    for (const BenchInput &in : BenchInputs(pairs, 3)) {
+        const auto wo = Local<double>(in.wo), wi = Local<double>(in.wi);
+        const auto view = model.SeenFrom(Local<float>(in.wo));
+        const auto exactView = oracle.SeenFrom(wo);
+        if (in.wo.z >= kNotGrazing)
+            raise(errors.gap, model.GapFraction(Local<float>(in.wo)) - oracle.GapFraction(wo));
+        if (!AwayFromEdges(oracle, exactView, wi)) continue;
+        const double pdf = oracle.Pdf(exactView, wi);
+        if (pdf > 0) raise(errors.pdf, model.Pdf(view, Local<float>(in.wi)) / pdf - 1);
+        const auto R = model.R(view, Local<float>(in.wi));
+        const auto exact = oracle.R(exactView, wi);
+        const double most = *std::max_element(exact.begin(), exact.end());
+        if (most == 0) continue;
+        ++errors.lit;
+        for (size_t k = 0; k < R.size(); ++k)
+            raise(errors.R, (R[k] - exact[k]) / most);
+    }
+    return errors;
+}
+
+}  // namespace pbrt::bsdftool
