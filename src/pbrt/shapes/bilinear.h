@@ -101,7 +101,7 @@ inline Vector3f PatchError(const BilinearMesh &mesh, const Patch &q, const Hit &
     const bool near = hit.u + hit.v <= 1;
     const Point3f corner = near ? q.p00 : q.p11;
     const Vector3f e1 = q.p10 - corner, e2 = q.p01 - corner;
-    return error + PlaneTestError(s.p, corner, e1, e2, s.n, Length(Cross(e1, e2)));
+    return error + PlaneTestError(s.p, corner, e1, e2, s.n, DirectionOfCross(e1, e2).inverseLength);
 }
 
 template <bool kWithError>

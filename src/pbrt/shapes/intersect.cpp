@@ -30,21 +30,17 @@ struct Roots {
 
 /// Where a ray, given by its parts across an axis (circle) or in space (sphere), crosses radius r.
 /// The discriminant comes from the distance at the closest approach (Hearn and Baker), the roots
-/// without cancellation (Kahan): signs are right for origins 1e-15 r from the surface.
+/// without cancellation (Kahan). r, a float, has an exact square: signs are right for origins
+/// 1e-15 r from the surface.
 std::optional<Roots> CrossRadius(Vector3d o, Vector3d d, double r) {
-    const double a = LengthSquared(d), oSqr = LengthSquared(o);
-    if (a == 0) return {};
-    const double closest = -Dot(o, d) / a;
-    const double lengthO = std::sqrt(oSqr), c = (lengthO - r) * (lengthO + r);
-    if (c > 0 && closest <= 0) return {};
-    const double l = Length(o + closest * d);
-    const double discriminant = (r - l) * (r + l);
+    const double a = LengthSquared(d), b = -Dot(o, d), c = LengthSquared(o) - r * r;
+    if (a == 0 || (c > 0 && b <= 0)) return {};
+    const double discriminant = r * r - LengthSquared(o + (b / a) * d);
     if (discriminant < 0) return {};
-    const double half = std::sqrt(discriminant / a);
-    const double q = closest + std::copysign(half, closest);
+    const double q = b + std::copysign(std::sqrt(a * discriminant), b);
     if (q == 0) return Roots{0, 0};
-    const double other = c / (a * q);
-    return q < other ? Roots{q, other} : Roots{other, q};
+    const double t = q / a, other = c / q;
+    return t < other ? Roots{t, other} : Roots{other, t};
 }
 
 bool InAzimuth(double x, double y, float phiMax) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "pbrt/util/transform.h"
 #include "pbrt/util/vecmath.h"
 
@@ -36,15 +38,33 @@ inline Vector3f AbsVector(const Matrix4 &m, Vector3f v) {
     return {row(0), row(1), row(2)};
 }
 
-/// Cross(a, b) normalised, through double where float would under- or overflow; (0, 0, 1) where
-/// the vectors are parallel.
-inline Normal3f UnitCross(Vector3f a, Vector3f b) {
-    const Vector3f c = Cross(a, b);
-    const float l2 = LengthSquared(c);
-    if (l2 > 1e-30f && l2 < 1e30f) return c * (1 / std::sqrt(l2));
+/// A cross product's direction and the inverse of its length.
+struct CrossDirection {
+    Normal3f n;
+    float inverseLength;
+};
+
+/// Where float over- or underflows: through double, and (0, 0, 1), 0 for parallel vectors.
+inline CrossDirection CrossDirectionInDouble(Vector3f a, Vector3f b) {
     const Vector3d d = Cross(ToDouble(a), ToDouble(b));
     const double length2 = LengthSquared(d);
-    return length2 > 0 ? ToFloat(d * (1 / std::sqrt(length2))) : Normal3f{0, 0, 1};
+    if (length2 == 0) return {{0, 0, 1}, 0};
+    const double inverse = 1 / std::sqrt(length2);
+    return {ToFloat(d * inverse), float(std::min(inverse, 1e30))};
+}
+
+inline CrossDirection DirectionOfCross(Vector3f a, Vector3f b) {
+    const Vector3f c = Cross(a, b);
+    const float l2 = LengthSquared(c);
+    if (!(l2 > 1e-30f && l2 < 1e30f)) [[unlikely]]
+        return CrossDirectionInDouble(a, b);
+    const float inverse = 1 / std::sqrt(l2);
+    return {c * inverse, inverse};
+}
+
+/// Cross(a, b) normalised; (0, 0, 1) where the vectors are parallel.
+inline Normal3f UnitCross(Vector3f a, Vector3f b) {
+    return DirectionOfCross(a, b).n;
 }
 
 /// v normalised, or `other` where v has no direction.
@@ -61,11 +81,10 @@ inline Vector3f UnitOr(Vector3f v, Vector3f other) {
 /// 4e5 random rays need 1; 4 are taken, for slivers would be left too far behind.
 /// e1, e2: edges at p0; p: a point of the plane.
 inline Vector3f PlaneTestError(Point3f p, Point3f p0, Vector3f e1, Vector3f e2, Normal3f n,
-                               float lengthNg) {
-    if (!(lengthNg > 0)) return {};
-    const Vector3f c = Abs(p0 - p);
-    const Vector3f e = Max(Max(Abs(e1), Abs(e2)), Abs(e2 - e1)) * (1 / std::sqrt(lengthNg));
-    return Abs(n) * (Gamma(4) * (c.x * e.y * e.z + c.y * e.z * e.x + c.z * e.x * e.y));
+                               float inverseLengthNg) {
+    const Vector3f c = Abs(p0 - p), e = Max(Max(Abs(e1), Abs(e2)), Abs(e2 - e1));
+    const Vector3f f = e * (Gamma(4) * inverseLengthNg);
+    return Abs(n) * (c.x * f.y * e.z + c.y * f.z * e.x + c.z * f.x * e.y);
 }
 
 }  // namespace pbrt

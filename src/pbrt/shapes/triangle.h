@@ -31,11 +31,12 @@ inline SurfacePoint InteractTriangle(const TriangleMesh &mesh, const Hit &hit) {
     const Vector3f e1 = p1 - p0, e2 = p2 - p0;
     SurfacePoint s;
     s.p = b0 * p0 + b1 * p1 + b2 * p2;
-    s.n = UnitCross(e1, e2);
+    const CrossDirection up = DirectionOfCross(e1, e2);
+    s.n = up.n;
     // Interpolation 5 roundings and 1 - b1 - b2 two more; the spawned origin's own rounding one.
     if constexpr (kWithError)
         s.pError = Gamma(8) * (Abs(b0 * p0) + Abs(b1 * p1) + Abs(b2 * p2)) +
-                   PlaneTestError(s.p, p0, e1, e2, s.n, Length(Cross(e1, e2)));
+                   PlaneTestError(s.p, p0, e1, e2, s.n, up.inverseLength);
     if (mesh.flipNormal) s.n = -s.n;
     s.ns = s.n;
     if (!mesh.n.empty()) {
