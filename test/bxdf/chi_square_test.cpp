@@ -27,10 +27,18 @@ std::vector<double> Sampled(const B &bxdf, Vector3f wo) {
     return counts;
 }
 
+/// Where lobes are sharpest: wo and its images in the planes of the frame.
+std::vector<Vector3f> MirrorImages(Vector3f wo) {
+    std::vector<Vector3f> images;
+    for (int k = 0; k < 8; ++k)
+        images.push_back({k & 1 ? -wo.x : wo.x, k & 2 ? -wo.y : wo.y, k & 4 ? -wo.z : wo.z});
+    return images;
+}
+
 template <typename B>
 std::vector<double> Expected(const B &bxdf, Vector3f wo) {
     const auto pdf = [&](Vector3f wi) { return double(bxdf.PDF(wo, wi, TransportMode::Radiance)); };
-    std::vector<double> shares = SphereBins::Integrate(pdf, 1e-6);
+    std::vector<double> shares = SphereBins::Integrate(pdf, 1e-6, MirrorImages(wo));
     shares.push_back(1 - std::accumulate(shares.begin(), shares.end(), 0.0));
     for (double &s : shares)
         s *= kSamples;

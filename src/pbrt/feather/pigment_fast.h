@@ -64,6 +64,12 @@ T Sum(const std::array<T, n> &values) {
     }
 }
 
+/// Fewer segments than a vector register holds are repeated: scalar code would branch, and be
+/// slower.
+constexpr int WideEnough(int segments) {
+    return segments < 4 ? 4 : segments;
+}
+
 /// What wo (first half of each array) and wi see of some segments: their directions in the axes of
 /// the ellipse and on the circle, and the first and the last point they see, counterclockwise.
 template <std::floating_point T, int Segments>
@@ -104,6 +110,11 @@ template <std::floating_point T>
     return Cross(g, a) * std::max(Dot(g, b), right) < Cross(g, b) * std::max(Dot(g, a), right);
 }
 
+template <std::floating_point T>
+[[gnu::always_inline]] inline Planar<T> Choose(bool first, Planar<T> a, Planar<T> b) {
+    return {first ? a.n : b.n, first ? a.x : b.x};
+}
+
 /// The arc of each segment that both directions see, on the ellipse with axes 1 and `squash`
 /// half-way between the circle of e and that of the normals: there fringes and vanishing cosines
 /// are spread evenly, and the same error takes half of the points. In units of its height over the
@@ -123,12 +134,9 @@ struct CommonArcs {
             const Planar<T> firstI{views.firstN[i], views.firstX[i]};
             const Planar<T> lastO{views.lastN[s], views.lastX[s]};
             const Planar<T> lastI{views.lastN[i], views.lastX[i]};
-            const bool laterFirst = Before(g, firstO, firstI);
-            const bool earlierLast = Before(g, lastI, lastO);
-            const Planar<T> first{laterFirst ? firstI.n : firstO.n,
-                                  laterFirst ? firstI.x : firstO.x};
-            const Planar<T> last{earlierLast ? lastI.n : lastO.n, earlierLast ? lastI.x : lastO.x};
-            const bool seen = Before(g, first, last) && Dot(g, g) > 2 * opposite;
+            const Planar<T> first = Choose(Before(g, firstO, firstI), firstI, firstO);
+            const Planar<T> last = Choose(Before(g, lastI, lastO), lastI, lastO);
+            const bool seen = Before(g, first, last) & (Dot(g, g) > 2 * opposite);  // && branches
             const Planar<T> from{first.n, squash * first.x}, to{last.n, squash * last.x};
             // At least 0.4 but for a direction along the barbule, whose points are at 0.
             const T fromLength = std::sqrt(std::max(Dot(from, from), T(0.1)));
@@ -150,15 +158,16 @@ struct CommonArcs {
 /// does not change.
 template <std::floating_point T, int Segments, int Points>
 struct PigmentNodes {
+    static constexpr int kWide = WideEnough(Segments);
     std::array<T, Segments * Points> cosSqrO, cosSqrI, weight;
 
-    PigmentNodes(const SegmentViews<T, Segments> &views, const CommonArcs<T, Segments> &arcs, T b,
+    PigmentNodes(const SegmentViews<T, kWide> &views, const CommonArcs<T, kWide> &arcs, T b,
                  T squash, const GridRule<T, Segments, Points> &rule,
                  const std::array<T, Segments> &segmentWeight) {
         const T unsquash = 1 / squash;
         for (int s = 0; s < Segments; ++s)
             for (int k = 0; k < Points; ++k) {
-                const int at = s * Points + k, i = s + Segments;
+                const int at = s * Points + k, i = s + kWide;
                 const T q = arcs.chord[s] * rule.point[s][k], along = std::sqrt(1 - q * q);
                 const T n = along * arcs.middleN[s] - q * arcs.middleX[s];
                 const T x = (along * arcs.middleX[s] + q * arcs.middleN[s]) * unsquash;
@@ -181,16 +190,18 @@ std::array<T, N> PigmentByRule(const Row<T> &row, const Bend<T> &bend,
                                Direction<T> wi, const GridRule<T, Segments, Points> &rule) {
     const std::optional<Arc<T>> seen = bend.SeenByBoth(wo, wi);
     if (!seen) return {};
-    std::array<Segment<T>, Segments> segments;
+    constexpr int kWide = WideEnough(Segments);
+    std::array<Segment<T>, kWide> segments;
     std::array<T, Segments> segmentWeight;
-    for (int s = 0; s < Segments; ++s) {
+    for (int k = 0; k < kWide; ++k) {
+        const int s = k % Segments;
         const auto [a, rate] = seen->At(rule.segment[s]);
-        segments[s] = {a.x, a.n};
+        segments[k] = {a.x, a.n};
         segmentWeight[s] = rate * rule.segmentWeight[s];
     }
     const T squash = std::clamp(std::sqrt(row.Aspect()), T(0.4), T(2.5));
-    const SegmentViews<T, Segments> views(row, wo, wi, segments);
-    const CommonArcs<T, Segments> arcs(views, squash);
+    const SegmentViews<T, kWide> views(row, wo, wi, segments);
+    const CommonArcs<T, kWide> arcs(views, squash);
     if (Sum(arcs.share) == 0) return {};
     const PigmentNodes<T, Segments, Points> nodes(views, arcs, row.Aspect(), squash, rule,
                                                   segmentWeight);

@@ -45,13 +45,7 @@ struct CrossDirection {
 };
 
 /// Where float over- or underflows: through double, and (0, 0, 1), 0 for parallel vectors.
-inline CrossDirection CrossDirectionInDouble(Vector3f a, Vector3f b) {
-    const Vector3d d = Cross(ToDouble(a), ToDouble(b));
-    const double length2 = LengthSquared(d);
-    if (length2 == 0) return {{0, 0, 1}, 0};
-    const double inverse = 1 / std::sqrt(length2);
-    return {ToFloat(d * inverse), float(std::min(inverse, 1e30))};
-}
+[[gnu::cold]] CrossDirection CrossDirectionInDouble(Vector3f a, Vector3f b);
 
 inline CrossDirection DirectionOfCross(Vector3f a, Vector3f b) {
     const Vector3f c = Cross(a, b);

@@ -82,8 +82,9 @@ class TriangleSampler {
             const Vector3f end = (2 * Dot(a, h) / LengthSquared(h)) * h - a;
             const Vector3f chord = end - b;
             const float versine = 0.5f * LengthSquared(chord), d = u.y * versine;
-            const Vector3f tangent = UnitOr(chord + versine * b, {});
-            return (1 - d) * b + SafeSqrt(d * (2 - d)) * tangent;
+            // The tangent at b, chord + versine b, has the squared length versine (2 - versine).
+            const float along = SafeSqrt(u.y * (2 - d) / std::max(2 - versine, 1e-6f));
+            return (1 - d) * b + along * (chord + versine * b);
         }
     };
 

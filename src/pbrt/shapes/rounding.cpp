@@ -1,0 +1,13 @@
+#include "pbrt/shapes/rounding.h"
+
+namespace pbrt {
+
+CrossDirection CrossDirectionInDouble(Vector3f a, Vector3f b) {
+    const Vector3d d = Cross(ToDouble(a), ToDouble(b));
+    const double length2 = LengthSquared(d);
+    if (length2 == 0) return {{0, 0, 1}, 0};
+    const double inverse = 1 / std::sqrt(length2);
+    return {ToFloat(d * inverse), float(std::min(inverse, 1e30))};
+}
+
+}  // namespace pbrt
