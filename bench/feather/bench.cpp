@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "bench/stopwatch.h"
 #include "feather/model.h"
 #include "oracle/complex_airy.h"
-#include "stopwatch.h"
 
 namespace pbrt::bench {
 namespace {

@@ -267,4 +267,8 @@ size_t Accel::MemoryBytes() const {
     return size_t(std::max<int64_t>(0, impl->bytes.load()));
 }
 
+void *Accel::EmbreeScene() const {
+    return impl->scene;
+}
+
 }  // namespace pbrt

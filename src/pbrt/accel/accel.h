@@ -70,6 +70,7 @@ class Accel {
 
     Bounds3f WorldBounds() const;
     size_t MemoryBytes() const;  ///< what Embree holds
+    void *EmbreeScene() const;   ///< the RTCScene, for benchmarks of Embree alone
 
   private:
     struct Impl;
