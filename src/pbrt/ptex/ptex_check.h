@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "pbrt/ptex/ptex.h"
+
+namespace pbrt {
+
+/// How the content contradicts itself or the limits of the format; empty where all is well.
+std::string WhatIsWrong(const PtexContent &content);
+
+}  // namespace pbrt
