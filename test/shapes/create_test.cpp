@@ -63,11 +63,11 @@ TEST(CreateShapes, MeshesNeedWhatFitsTogether) {
 TEST(CreateShapes, UnknownNamesListWhatIsKnown) {
     ExpectSays(
         R"(Shape "spher")",
-        {R"(test.pbrt:2:1: unknown shape "spher"; did you mean "sphere"? - expected "trianglemesh", "plymesh", "bilinearmesh", "sphere", "disk" or "cylinder")"});
+        {R"(test.pbrt:2:1: unknown shape "spher"; did you mean "sphere"? - expected "trianglemesh", "plymesh", "bilinearmesh", "sphere", "disk", "cylinder" or "curve")"});
     ExpectSays(
         R"(Shape "loopsubdiv")",
-        {R"(test.pbrt:2:1: unknown shape "loopsubdiv"; expected "trianglemesh", "plymesh", "bilinearmesh", "sphere", "disk" or "cylinder")"});
-    EXPECT_EQ(ShapeNames().size(), 6u);
+        {R"(test.pbrt:2:1: unknown shape "loopsubdiv"; expected "trianglemesh", "plymesh", "bilinearmesh", "sphere", "disk", "cylinder" or "curve")"});
+    EXPECT_EQ(ShapeNames().size(), 7u);
 }
 
 TEST(CreateShapes, PointsLeaveRoomForSixteenByteReads) {

@@ -100,6 +100,19 @@ RTCGeometry NewQuads(RTCDevice device, const BilinearMesh &mesh) {
     return geometry;
 }
 
+/// Ray-facing quads per segment; see test/accel/curves_test.cpp for what they miss.
+constexpr float kQuadsPerSegment = 8;
+
+RTCGeometry NewCurves(RTCDevice device, const CurveSet &curves) {
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_FLAT_BEZIER_CURVE);
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT,
+                               curves.first.data(), 0, sizeof(uint32_t), curves.first.size());
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4,
+                               curves.points.data(), 0, sizeof(CurvePoint), curves.points.size());
+    rtcSetGeometryTessellationRate(geometry, kQuadsPerSegment);
+    return geometry;
+}
+
 }  // namespace
 
 Accel::Impl::~Impl() {
@@ -144,6 +157,8 @@ RTCGeometry Accel::Impl::NewGeometry(const GeometryRecord &record) {
     RTCGeometry geometry;
     if (const auto *triangles = std::get_if<TriangleMesh>(&shape)) {
         geometry = NewTriangles(device, *triangles);
+    } else if (const auto *curves = std::get_if<CurveSet>(&shape)) {
+        geometry = NewCurves(device, *curves);
     } else {
         const auto &patches = *std::get_if<BilinearMesh>(&shape);
         if (!patches.planar) return NewBentPatches(device, &record);

@@ -41,20 +41,28 @@ class ShapeBuilder {
             geometry.material = std::max(0, material);
             geometry.alpha = alpha;
             geometry.passesLight = material >= 0 && LetsLightThrough(world.materials[material]);
+            if (entity.areaLight && !CanEmit(geometry.shape)) {
+                log.Error(entity.loc, "a curve cannot be an area light");
+                continue;
+            }
             if (entity.areaLight && instanced)
                 log.Warning(entity.loc, "an area light in an object definition gives no light");
             else if (entity.areaLight)
                 emitters.push_back({uint32_t(world.geometries.size()), entity.areaLight.get()});
-            world.geometries.push_back(std::move(geometry));
+            if (!JoinCurves(geometry)) world.geometries.push_back(std::move(geometry));
         }
     }
+
+    /// From here on shapes belong to another object.
+    uint32_t StartObject() { return joinFrom = uint32_t(world.geometries.size()); }
 
     /// Every use of an object, with the uses inside it, as one-deep instances. The parser has seen
     /// to it that the object exists and does not contain itself.
     void AddInstance(const InstanceUse &use, const TransformPair &renderFromParent) {
         const ObjectEntity &object = scene.objects.at(use.name);
         TransformPair t;
-        for (int i = 0; i < 2; ++i) t[i] = renderFromParent[i] * use.worldFromInstance[i];
+        for (int i = 0; i < 2; ++i)
+            t[i] = renderFromParent[i] * use.worldFromInstance[i];
         if (!object.shapes.empty()) {
             Instance instance;
             instance.object = objectIndex.at(use.name);
@@ -63,12 +71,13 @@ class ShapeBuilder {
             world.moves |= instance.moving;
             world.instances.push_back(instance);
         }
-        for (const InstanceUse &inner : object.instances) AddInstance(inner, t);
+        for (const InstanceUse &inner : object.instances)
+            AddInstance(inner, t);
     }
 
     void AddObjects() {
         for (const auto &[name, object] : scene.objects) {
-            const uint32_t first = uint32_t(world.geometries.size());
+            const uint32_t first = StartObject();
             for (const ShapeEntity &entity : object.shapes) {
                 if (!(entity.worldFromObject[0] == entity.worldFromObject[1]))
                     log.Error(entity.loc, "moving shapes inside an object are not supported");
@@ -84,7 +93,7 @@ class ShapeBuilder {
     void AddMovingShapes(const Transform &renderFromWorld) {
         for (const ShapeEntity &entity : scene.shapes) {
             if (entity.worldFromObject[0] == entity.worldFromObject[1]) continue;
-            const uint32_t first = uint32_t(world.geometries.size());
+            const uint32_t first = StartObject();
             if (entity.areaLight) log.Error(entity.loc, "moving area lights are not supported");
             Add(entity, Transform(), true);
             Instance instance;
@@ -107,11 +116,26 @@ class ShapeBuilder {
         return entity.material < 0 ? materials.fallback : materials.unnamed[entity.material];
     }
 
+    /// Adds curves to those of the last geometry where nothing tells them apart: hairs are single
+    /// shapes in a scene file, and a geometry costs more than a hair.
+    bool JoinCurves(Geometry &geometry) {
+        if (world.geometries.size() <= joinFrom) return false;
+        Geometry &last = world.geometries.back();
+        auto *const into = std::get_if<CurveSet>(&last.shape);
+        auto *const more = std::get_if<CurveSet>(&geometry.shape);
+        const auto hasOneAlpha = [](const Geometry &g) { return g.alpha.IsConstant(); };
+        if (!into || !more || last.material != geometry.material || !hasOneAlpha(last) ||
+            !hasOneAlpha(geometry) || last.alpha.Constant() != geometry.alpha.Constant())
+            return false;
+        return Append(*more, into);
+    }
+
     const Description &scene;
     const NamedTextures &textures;
     const MaterialTable &materials;
     World &world;
     Diagnostics &log;
+    uint32_t joinFrom = 0;  ///< first geometry of the object being built
     std::map<std::string, uint32_t> objectIndex;
 };
 
@@ -151,7 +175,8 @@ std::vector<EmissiveShape> BuildShapes(const Description &scene, const NamedText
 
 uint32_t TopLevelGeometries(const World &world) {
     uint32_t first = uint32_t(world.geometries.size());
-    for (const ObjectRange &object : world.objects) first = std::min(first, object.first);
+    for (const ObjectRange &object : world.objects)
+        first = std::min(first, object.first);
     return first;
 }
 

@@ -49,6 +49,16 @@ Bounds3f BoundsOf(const Mesh &mesh) {
         b.Grow(mesh.p[i]);
     return b;
 }
+/// Segments lie in the hull of their points, and lines about them in the hull of the balls.
+Bounds3f BoundsOf(const CurveSet &curves) {
+    Bounds3f b;
+    for (const CurvePoint &c : curves.points) {
+        const Vector3f r{c.radius, c.radius, c.radius};
+        b.Grow(c.p - r);
+        b.Grow(c.p + r);
+    }
+    return b;
+}
 
 }  // namespace
 

@@ -18,7 +18,8 @@ constexpr std::array kTypes{ShapeType{"trianglemesh", CreateTriangleMesh},
                             ShapeType{"bilinearmesh", CreateBilinearMesh},
                             ShapeType{"sphere", CreateSphere},
                             ShapeType{"disk", CreateDisk},
-                            ShapeType{"cylinder", CreateCylinder}};
+                            ShapeType{"cylinder", CreateCylinder},
+                            ShapeType{"curve", CreateCurve}};
 
 constexpr auto kNames = [] {
     std::array<std::string_view, kTypes.size()> names;

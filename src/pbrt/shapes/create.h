@@ -24,6 +24,7 @@ std::vector<Shape> CreatePlyMesh(const ShapeArguments &a);
 std::vector<Shape> CreateSphere(const ShapeArguments &a);
 std::vector<Shape> CreateDisk(const ShapeArguments &a);
 std::vector<Shape> CreateCylinder(const ShapeArguments &a);
+std::vector<Shape> CreateCurve(const ShapeArguments &a);
 
 /// Moves a mesh in object space to rendering space, orients its normals, and leaves room for the
 /// 16-byte reads of Embree behind the last vertex. What is wrong with it, or nothing.

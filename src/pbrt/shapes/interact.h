@@ -1,6 +1,7 @@
 #pragma once
 
 #include "pbrt/shapes/bilinear.h"
+#include "pbrt/shapes/curve.h"
 #include "pbrt/shapes/quadric.h"
 #include "pbrt/shapes/surface_point.h"
 #include "pbrt/shapes/triangle.h"
@@ -19,8 +20,10 @@ inline SurfacePoint InteractWith(const Shape &shape, const Hit &hit, const Ray &
             return InteractSphere<kWithError>(*std::get_if<2>(&shape), hit, ray);
         case 3:
             return InteractDisk<kWithError>(*std::get_if<3>(&shape), hit, ray);
-        default:
+        case 4:
             return InteractCylinder<kWithError>(*std::get_if<4>(&shape), hit, ray);
+        default:
+            return InteractCurve(*std::get_if<5>(&shape), hit, ray);
     }
 }
 

@@ -4,6 +4,7 @@
 #include "pbrt/shapes/sample_quadric.h"
 #include "pbrt/shapes/sample_triangle.h"
 #include "pbrt/shapes/shape.h"
+#include "pbrt/util/check.h"
 
 namespace pbrt {
 
@@ -78,6 +79,7 @@ auto Visit(const Shape &shape, uint32_t primitive, Mesh mesh, Quadric quadric) {
         case 3:
             return quadric(*std::get_if<3>(&shape));
         default:
+            DCHECK(CanEmit(shape));
             return quadric(*std::get_if<4>(&shape));
     }
 }
@@ -91,6 +93,10 @@ NormalCone MeshNormals(const BilinearSampler &b) {
 }
 
 }  // namespace
+
+bool CanEmit(const Shape &shape) {
+    return !std::holds_alternative<CurveSet>(shape);
+}
 
 float Area(const Shape &shape, uint32_t primitive) {
     return Visit(

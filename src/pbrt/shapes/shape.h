@@ -24,9 +24,15 @@ std::span<const std::string_view> ShapeNames();
 /// d).
 std::optional<Shape> AsParallelogram(const TriangleMesh &mesh);
 
+/// Adds the curves of `more` to `into`; false, and nothing done, where their kinds differ or the
+/// points would outgrow their 32-bit numbers.
+bool Append(const CurveSet &more, CurveSet *into);
+
 size_t NPrimitives(const Shape &shape);
 Bounds3f Bounds(const Shape &shape);
 
+/// Curves cannot: the functions below are for the others.
+bool CanEmit(const Shape &shape);
 float Area(const Shape &shape, uint32_t primitive);
 /// Uniform by area, but for bent bilinear patches, quadrics stretched unevenly: near that, with the
 /// density there. pdf per unit area.

@@ -60,6 +60,24 @@ struct Cylinder {
     size_t NPrimitives() const { return 1; }
 };
 
-using Shape = std::variant<TriangleMesh, BilinearMesh, Sphere, Disk, Cylinder>;
+/// Both turn to the ray; one is shaded as flat, the other as a cylinder. Ribbons are meshes.
+enum class CurveType { Flat, Cylinder };
+
+/// A point of a curve's control polygon; Embree reads the 16 bytes.
+struct CurvePoint {
+    Point3f p;
+    float radius;  ///< half the width
+};
+
+/// Any number of cubic Bezier segments of one type: 52 bytes each, for neighbours share a point.
+struct CurveSet {
+    std::vector<uint32_t> first;     ///< per segment: its first point of four
+    std::vector<CurvePoint> points;  ///< rendering space (object's space of an instance)
+    CurveType type = CurveType::Flat;
+    bool flipNormal = false;
+    size_t NPrimitives() const { return first.size(); }
+};
+
+using Shape = std::variant<TriangleMesh, BilinearMesh, Sphere, Disk, Cylinder, CurveSet>;
 
 }  // namespace pbrt
