@@ -56,8 +56,23 @@ TEST(ComplexAiry, EqualsTheTransferMatrix) {
     EXPECT_LT(worst, 4e-13);
 }
 
-/// Worst error of the model's film in the scalar T over random cases, against a twin.
-template <std::floating_point T, Amplitudes twin(const AiryFilm &, double, Polarisation)>
+/// What one rounding does to a power: 2^-53 of the phase, and of the amplitudes' terms, times the
+/// steepest slope of sin^2(phase) / (sin^2(phase) + q) in the phase, .65 / sqrt(q), with
+/// q = Y / K >= 4 c^2 / (eta^2 - 1): towards grazing incidence fringes become as narrow as the
+/// cosine.
+double OneRounding(const AiryFilm &f, double cosine) {
+    const double phase =
+        2 * std::numbers::pi * f.thickness * f.index * CosineInside(f.index, cosine) / f.lambda;
+    const double slope = 1 + 0.65 * std::sqrt(f.index * f.index - 1) / (2 * cosine);
+    return 0x1p-53 * (1 + phase) * slope;
+}
+double One(const AiryFilm &, double) {
+    return 1;
+}
+
+/// Worst error of the model's film in the scalar T over random cases, against a twin, in `unit`s.
+template <std::floating_point T, Amplitudes twin(const AiryFilm &, double, Polarisation),
+          double unit(const AiryFilm &, double)>
 double WorstError(unsigned seed, double thickest, double leastCosine) {
     Films films(seed);
     double worst = 0;
@@ -70,25 +85,28 @@ double WorstError(unsigned seed, double thickest, double leastCosine) {
         const feather::Film<T> model({T(f.lambda)}, {T(f.thickness)}, T(f.index));
         const feather::Polarised<T> t = model.Transmittance(T(c));
         const Amplitudes s = twin(f, c, Polarisation::S), p = twin(f, c, Polarisation::P);
-        worst = std::max({worst, std::abs(model.Reflectance(T(c)) - Unpolarised<twin>(f, c).r),
-                          std::abs(t.s - std::norm(s.t)), std::abs(t.p - std::norm(p.t))});
+        const double error =
+            std::max({std::abs(model.Reflectance(T(c)) - Unpolarised<twin>(f, c).r),
+                      std::abs(t.s - std::norm(s.t)), std::abs(t.p - std::norm(p.t))});
+        worst = std::max(worst, error / unit(f, c));
     }
     return worst;
 }
 
-// MODEL section 3: real arithmetic is as good as complex. Towards grazing incidence fringes become
-// as narrow as the cosine, and rounding of the phase counts for more, in the twins as in the model.
+// MODEL section 3: real arithmetic is as good as complex. Model and twin make some five roundings
+// each; measured over 1e6 cases: 4.4 and 6.4, with and without fused multiplication alike, which is
+// 4e-13 for cosines of 1e-2.
 TEST(Film, DoubleEqualsTheTransferMatrix) {
-    EXPECT_LT((WorstError<double, TransferMatrix>(3, 2000, 1e-2)), 4e-13);
-    EXPECT_LT((WorstError<double, TransferMatrix>(4, 2000, 1e-3)), 2e-12);
+    EXPECT_LT((WorstError<double, TransferMatrix, OneRounding>(3, 2000, 1e-2)), 10);
+    EXPECT_LT((WorstError<double, TransferMatrix, OneRounding>(4, 2000, 1e-3)), 10);
 }
 TEST(Film, DoubleEqualsTheAirySum) {
-    EXPECT_LT((WorstError<double, AirySum>(5, 2000, 1e-2)), 4e-13);
-    EXPECT_LT((WorstError<double, AirySum>(6, 2000, 1e-3)), 2e-12);
+    EXPECT_LT((WorstError<double, AirySum, OneRounding>(5, 2000, 1e-2)), 10);
+    EXPECT_LT((WorstError<double, AirySum, OneRounding>(6, 2000, 1e-3)), 10);
 }
 // From 0 to 89.99 degrees; the published code is off by up to .074 and the anchor asks for 1e-4.
 TEST(Film, FloatIsNearTheTransferMatrix) {
-    EXPECT_LT((WorstError<float, TransferMatrix>(7, 2000, 1.8e-4)), 1e-6);
+    EXPECT_LT((WorstError<float, TransferMatrix, One>(7, 2000, 1.8e-4)), 1e-6);
 }
 
 // S-eq.3 against the product of the model's transmittances.
