@@ -26,7 +26,7 @@ FeatherBarbuleMaterial FeatherBarbuleMaterial::Create(ParamDict &params,
                                                       const NamedTextures &named) {
     FeatherBarbuleMaterial m;
     for (size_t i = 0; i < feather::kParams.size(); ++i)
-        m.values[i] = GetFloatTexture(params, named, Row(feather::kParams[i]));
+        m.values[i] = {params, named, Row(feather::kParams[i])};
     const feather::SpectrumParam &eta = feather::kSpectrumParams[0];
     const feather::SpectrumParam &melanin = feather::kSpectrumParams[1];
     m.eta = params.GetOneSpectrum(eta.name, SpectrumType::Unbounded)
@@ -38,24 +38,12 @@ FeatherBarbuleMaterial FeatherBarbuleMaterial::Create(ParamDict &params,
     return m;
 }
 
-float FeatherBarbuleMaterial::Value(int parameter, const TextureEvalContext &ctx) const {
-    const FloatTexture &texture = values[parameter];
-    if (texture.IsConstant()) return texture.Constant();
-    const feather::Param &row = feather::kParams[parameter];
-    const float v = texture.Evaluate(ctx);
-    const float legal = std::clamp(v, float(row.lo), float(row.hi));
-    if (v == legal) return v;
-    clamped->counts[parameter].fetch_add(1, std::memory_order_relaxed);
-    // A texture that is not a number there counts as the default.
-    return legal == legal ? legal : float(row.def);
-}
-
 feather::BarbuleParams<float> FeatherBarbuleMaterial::Params(const TextureEvalContext &ctx) const {
-    return {{Value(Thickness, ctx)},
-            Value(Spacing, ctx),
-            {Value(Tilt, ctx)},
-            Value(Aspect, ctx),
-            {Value(Opening, ctx)}};
+    return {{values[Thickness].Evaluate(ctx)},
+            values[Spacing].Evaluate(ctx),
+            {values[Tilt].Evaluate(ctx)},
+            values[Aspect].Evaluate(ctx),
+            {values[Opening].Evaluate(ctx)}};
 }
 
 FeatherBarbuleBxDF FeatherBarbuleMaterial::GetBxDF(const TextureEvalContext &ctx,
@@ -71,7 +59,7 @@ FeatherBarbuleBxDF FeatherBarbuleMaterial::GetBxDF(const TextureEvalContext &ctx
 }
 
 Frame FeatherBarbuleMaterial::TurnFrame(const Frame &frame, const TextureEvalContext &ctx) const {
-    const float degrees = Value(Rotation, ctx);
+    const float degrees = values[Rotation].Evaluate(ctx);
     if (degrees == 0) return frame;
     const float c = std::cos(Radians(degrees)), s = std::sin(Radians(degrees));
     return {c * frame.x + s * frame.y, c * frame.y - s * frame.x, frame.z};
@@ -87,14 +75,8 @@ float FeatherBarbuleMaterial::GapFraction(const TextureEvalContext &ctx, Vector3
 
 std::string FeatherBarbuleMaterial::Remarks() const {
     std::string text;
-    for (size_t i = 0; i < feather::kParams.size(); ++i) {
-        const int64_t n = clamped->counts[i].load();
-        if (n == 0) continue;
-        const feather::Param &row = feather::kParams[i];
-        text += fmt::format("{}featherbarbule \"{}\": {} texture values outside [{}, {}] {} clamped",
-                            text.empty() ? "" : "; ", row.name, n, row.lo, row.hi,
-                            feather::UnitName(row.unit));
-    }
+    for (const BoundedTexture &texture : values)
+        texture.AddRemark(kName, &text);
     return text;
 }
 

@@ -1,18 +1,16 @@
 #pragma once
 
 #include <array>
-#include <atomic>
-#include <memory>
 #include <string>
 
 #include "pbrt/bxdfs/feather_barbule.h"
 #include "pbrt/feather/params.h"
-#include "pbrt/textures/texture.h"
+#include "pbrt/materials/bounded_texture.h"
 
 namespace pbrt {
 
-/// The vane of an iridescent feather (MODEL section 2). Parameters, ranges and defaults are those of
-/// feather::kParams and feather::kSpectrumParams. Constants are checked when the scene is read;
+/// The vane of an iridescent feather (MODEL section 2). Parameters, ranges and defaults are those
+/// of feather::kParams and feather::kSpectrumParams. Constants are checked when the scene is read;
 /// texture values out of range are clamped and counted.
 class FeatherBarbuleMaterial {
   public:
@@ -27,8 +25,8 @@ class FeatherBarbuleMaterial {
     Frame TurnFrame(const Frame &frame, const TextureEvalContext &ctx) const;
     /// Share of light from direction w (local, of the turned frame) that passes straight through.
     float GapFraction(const TextureEvalContext &ctx, Vector3f w) const;
-    /// The model itself at these wavelengths (nm), in any scalar and with any quadrature: what tests
-    /// and tools judge GetBxDF by. `Model` is a feather::Barbule of N wavelengths.
+    /// The model itself at these wavelengths (nm), in any scalar and with any quadrature: what
+    /// tests and tools judge GetBxDF by. `Model` is a feather::Barbule of N wavelengths.
     template <typename Model, std::size_t N>
     Model ModelAt(const TextureEvalContext &ctx, const std::array<float, N> &nanometres) const;
     /// A sentence where texture values had to be clamped; else empty.
@@ -36,17 +34,11 @@ class FeatherBarbuleMaterial {
 
   private:
     enum { Thickness, Spacing, Tilt, Aspect, Opening, Rotation };
-    float Value(int parameter, const TextureEvalContext &ctx) const;
     feather::BarbuleParams<float> Params(const TextureEvalContext &ctx) const;
 
-    std::array<FloatTexture, feather::kParams.size()> values;
+    std::array<BoundedTexture, feather::kParams.size()> values;
     Spectrum eta;
     SpectrumTexture melanin;
-    bool constantShape = false;  ///< spacing, tilt, aspect and opening are constants
-    struct ClampCounts {
-        std::array<std::atomic<int64_t>, feather::kParams.size()> counts{};
-    };
-    std::shared_ptr<ClampCounts> clamped = std::make_shared<ClampCounts>();
 };
 
 template <typename Model, std::size_t N>

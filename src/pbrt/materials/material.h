@@ -6,6 +6,7 @@
 #include "pbrt/materials/dielectric.h"
 #include "pbrt/materials/diffuse.h"
 #include "pbrt/materials/feather_barbule.h"
+#include "pbrt/materials/hair.h"
 #include "pbrt/util/type_list.h"
 
 namespace pbrt {
@@ -16,8 +17,8 @@ struct InterfaceMaterial {
 };
 
 /// The one list of materials that scatter.
-using MaterialTypes =
-    TypeList<DiffuseMaterial, ConductorMaterial, DielectricMaterial, FeatherBarbuleMaterial>;
+using MaterialTypes = TypeList<DiffuseMaterial, ConductorMaterial, DielectricMaterial,
+                               FeatherBarbuleMaterial, HairMaterial>;
 using Material = MaterialTypes::Variant;
 
 /// Surfaces that let shadow rays through declare kPassesLight.

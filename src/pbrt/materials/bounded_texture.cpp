@@ -1,0 +1,15 @@
+#include "pbrt/materials/bounded_texture.h"
+
+#include <fmt/format.h>
+
+namespace pbrt {
+
+void BoundedTexture::AddRemark(std::string_view owner, std::string *remarks) const {
+    const int64_t n = clamped->load();
+    if (n == 0) return;
+    *remarks += fmt::format("{}{} \"{}\": {} texture values outside [{}, {}]{}{} clamped",
+                            remarks->empty() ? "" : "; ", owner, row.name, n, row.lo, row.hi,
+                            row.unit.empty() ? "" : " ", row.unit);
+}
+
+}  // namespace pbrt

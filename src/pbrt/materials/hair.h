@@ -1,0 +1,37 @@
+#pragma once
+
+#include "pbrt/bxdfs/hair.h"
+#include "pbrt/materials/bounded_texture.h"
+
+namespace pbrt {
+
+/// A dielectric fibre: `eta`, roughness along (`beta_m`) and around (`beta_n`) it, tilt of its
+/// scales (`alpha`), and what it absorbs: `sigma_a` per fibre radius, else the colour of a mass of
+/// such fibres (`reflectance` or `color`), else `eumelanin` and `pheomelanin`. Parameters of lower
+/// rank than one that is given are ignored with a warning. The shape's v runs across the fibre, its
+/// dp/du along it.
+class HairMaterial {
+  public:
+    static constexpr std::string_view kName = "hair";
+    static HairMaterial Create(ParamDict &params, const NamedTextures &named);
+
+    HairBxDF GetBxDF(const TextureEvalContext &ctx, const SampledWavelengths &lambda) const {
+        const float beta_n = betaN.Evaluate(ctx);
+        return HairBxDF(2 * ctx.uv.y - 1, eta.Evaluate(ctx), Absorption(ctx, lambda, beta_n),
+                        betaM.Evaluate(ctx), beta_n, alpha.Evaluate(ctx));
+    }
+    /// A sentence where texture values had to be clamped; else empty.
+    std::string Remarks() const;
+
+  private:
+    enum class Pigment { SigmaA, Reflectance, Melanin };
+    SampledSpectrum Absorption(const TextureEvalContext &ctx, const SampledWavelengths &lambda,
+                               float beta_n) const;
+
+    Pigment pigment = Pigment::Melanin;
+    SpectrumTexture color;  ///< sigma_a or reflectance
+    BoundedTexture eumelanin, pheomelanin;
+    BoundedTexture eta, betaM, betaN, alpha;
+};
+
+}  // namespace pbrt
