@@ -136,7 +136,8 @@ struct CommonArcs {
             const Planar<T> lastI{views.lastN[i], views.lastX[i]};
             const Planar<T> first = Choose(Before(g, firstO, firstI), firstI, firstO);
             const Planar<T> last = Choose(Before(g, lastI, lastO), lastI, lastO);
-            const bool seen = Before(g, first, last) & (Dot(g, g) > 2 * opposite);  // && branches
+            // Not &&, which branches.
+            const bool seen = (int(Before(g, first, last)) & int(Dot(g, g) > 2 * opposite)) != 0;
             const Planar<T> from{first.n, squash * first.x}, to{last.n, squash * last.x};
             // At least 0.4 but for a direction along the barbule, whose points are at 0.
             const T fromLength = std::sqrt(std::max(Dot(from, from), T(0.1)));
