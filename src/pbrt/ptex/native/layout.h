@@ -1,12 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <cstring>
-#include <string>
 #include <vector>
 
-#include "pbrt/ptex/ptex.h"
+#include "pbrt/ptex/texels.h"
 
 namespace pbrt {
 
@@ -36,7 +35,7 @@ struct PtexExtHeader {
 static_assert(sizeof(PtexExtHeader) == 40);
 
 struct PtexFaceInfo {
-    static constexpr uint8_t kConstant = 1, kHasEdits = 2, kNeighboursConstant = 4;
+    static constexpr uint8_t kConstant = 1, kHasEdits = 2, kNeighboursConstant = 4, kSubface = 8;
     int8_t log2U, log2V;
     uint8_t neighbourEdges;  ///< 2 bits each, edge 0 lowest
     uint8_t flags;
@@ -65,16 +64,14 @@ static_assert(sizeof(PtexBlockHeader) == 4);
 /// What precedes the tiles of a tiled face.
 constexpr size_t kPtexTileHeaderSize = 6;  ///< i8 log2 tile u, i8 log2 tile v, u32 zipped size
 
-constexpr size_t PtexTypeSize(PtexType type) {
-    return type == PtexType::UInt8 ? 1 : type == PtexType::Float ? 4 : 2;
-}
-
-/// Level l > 0 holds the faces whose shorter side has at least 2^(l + 2) texels and that are not
-/// constant; all levels above 0 list faces by falling log2 of the shorter side (constant faces
-/// count as 1), faces of equal rank by number.
+/// Level l > 0 holds the faces of rank at least l + kPtexLeastLog2. Rank: log2 of the shorter
+/// side's texels, 1 where the face is constant.
 constexpr int kPtexLeastLog2 = 2;
 inline int PtexRank(int log2U, int log2V, bool constant) {
     return constant ? 1 : std::min(log2U, log2V);
 }
+
+/// The faces as all levels above 0 list them: by falling rank, equal ones by number.
+std::vector<int> PtexReductionOrder(const PtexTexels &texels);
 
 }  // namespace pbrt

@@ -1,4 +1,4 @@
-#include "pbrt/ptex/ptex_check.h"
+#include "pbrt/ptex/check.h"
 
 #include <fmt/format.h>
 

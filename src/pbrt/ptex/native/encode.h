@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pbrt/ptex/native/layout.h"
+#include "pbrt/ptex/texels.h"
+
+namespace pbrt {
+
+template <typename T>
+void AppendBytes(std::string *bytes, const T &value) {
+    bytes->append(reinterpret_cast<const char *>(&value), sizeof value);
+}
+
+/// zlib's form of some bytes.
+std::string Zip(const void *data, size_t size);
+template <typename T>
+std::string Zip(const std::vector<T> &data) {
+    return Zip(data.data(), data.size() * sizeof(T));
+}
+
+/// What a file holds of one level.
+struct PtexLevel {
+    std::vector<PtexBlockHeader> headers;
+    std::string blocks;
+};
+
+/// All levels of a file: 0 with every face, then those reductions that PtexRank asks for.
+std::vector<PtexLevel> EncodeLevels(const PtexTexels &texels);
+
+}  // namespace pbrt
