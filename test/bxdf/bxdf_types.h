@@ -6,12 +6,14 @@
 #include "pbrt/bxdfs/conductor.h"
 #include "pbrt/bxdfs/dielectric.h"
 #include "pbrt/bxdfs/diffuse.h"
+#include "pbrt/bxdfs/diffuse_transmission.h"
 #include "pbrt/bxdfs/hair.h"
 
 namespace pbrt::test {
 
 /// Every BxDF there is.
-using BxDFTypes = testing::Types<DiffuseBxDF, ConductorBxDF, DielectricBxDF, HairBxDF>;
+using BxDFTypes =
+    testing::Types<DiffuseBxDF, ConductorBxDF, DielectricBxDF, HairBxDF, DiffuseTransmissionBxDF>;
 
 inline SampledSpectrum Spectral(float a, float b, float c, float d) {
     return SampledSpectrum(std::array<float, 4>{a, b, c, d});
@@ -21,6 +23,16 @@ template <>
 inline std::vector<BxDFCase<DiffuseBxDF>> CasesOf() {
     return {{"white", DiffuseBxDF(SampledSpectrum(1))},
             {"coloured", DiffuseBxDF(Spectral(0.1f, 0.5f, 0, 0.9f))}};
+}
+
+template <>
+inline std::vector<BxDFCase<DiffuseTransmissionBxDF>> CasesOf() {
+    const SampledSpectrum none(0), red = Spectral(0.1f, 0.2f, 0.7f, 0.4f);
+    return {{"white", DiffuseTransmissionBxDF(SampledSpectrum(0.6f), SampledSpectrum(0.4f))},
+            {"coloured", DiffuseTransmissionBxDF(red, Spectral(0.3f, 0, 0.2f, 0.1f))},
+            {"only reflects", DiffuseTransmissionBxDF(red, none)},
+            {"only transmits", DiffuseTransmissionBxDF(none, red)},
+            {"black", DiffuseTransmissionBxDF(none, none)}};
 }
 
 template <>

@@ -20,6 +20,15 @@ const std::vector<Lossless> &Cases() {
     static const std::vector<Lossless> cases{
         {"Diffuse", "Material \"diffuse\" \"spectrum reflectance\" [ 300 1 900 1 ]"},
         {"Hair", "Material \"hair\" \"spectrum sigma_a\" [ 300 0 900 0 ]"},
+        {"DiffuseTransmission",
+         "Material \"diffusetransmission\" \"spectrum reflectance\" [ 300 .3 900 .3 ] \"spectrum "
+         "transmittance\" [ 300 .7 900 .7 ]"},
+        {"Mix",
+         "MakeNamedMaterial \"hair\" \"string type\" \"hair\" \"spectrum sigma_a\" [ 300 0 900 0 "
+         "]\n"
+         "MakeNamedMaterial \"wall\" \"string type\" \"diffuse\" \"spectrum reflectance\" [ 300 1 "
+         "900 "
+         "1 ]\nMaterial \"mix\" \"string materials\" [ \"hair\" \"wall\" ] \"float amount\" .4"},
     };
     return cases;
 }

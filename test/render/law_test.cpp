@@ -26,6 +26,10 @@ std::string Mixed() {
            "Translate -.8 .5 0 Shape \"sphere\" \"float radius\" .5\nAttributeEnd\n"
            "AttributeBegin\nMaterial \"featherbarbule\"\nTranslate .6 .5 0\n"
            "Shape \"sphere\" \"float radius\" .6\nAttributeEnd\n"
+           "MakeNamedMaterial \"paper\" \"string type\" \"diffusetransmission\"\n"
+           "MakeNamedMaterial \"vane\" \"string type\" \"featherbarbule\" \"float spacing\" 3\n"
+           "AttributeBegin\nMaterial \"mix\" \"string materials\" [ \"paper\" \"vane\" ]\n"
+           "Translate 0 .2 1 Shape \"sphere\" \"float radius\" .2\nAttributeEnd\n"
            "AttributeBegin\nMaterial \"conductor\" \"float roughness\" .1\nTranslate 0 1.4 -.5\n"
            "Shape \"sphere\" \"float radius\" .3 \"float alpha\" .7\nAttributeEnd\n";
 }
@@ -52,9 +56,11 @@ TEST(Render, DispersionKeepsTheMean) {
                "\nTranslate 0 .5 0 Shape \"sphere\" \"float radius\" .8\n";
     };
     const auto whole = Mean(RenderText(glass("\"float eta\" 1.5"), {.spp = 64}));
-    const auto ended = Mean(RenderText(glass("\"spectrum eta\" [ 300 1.5 900 1.5 ]"), {.spp = 256}));
+    const auto ended =
+        Mean(RenderText(glass("\"spectrum eta\" [ 300 1.5 900 1.5 ]"), {.spp = 256}));
     // One wavelength a path: colour noise of 0.5 M samples, standard error below 0.2 %.
-    for (int c = 0; c < 3; ++c) EXPECT_NEAR(ended[c] / whole[c], 1, 0.01) << c;
+    for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(ended[c] / whole[c], 1, 0.01) << c;
 }
 
 TEST(Film, TerminatedWavelengthsDoNotCount) {
@@ -65,7 +71,8 @@ TEST(Film, TerminatedWavelengthsDoNotCount) {
     const SampledSpectrum one(1.f);
     lambda.TerminateSecondary();
     SampledSpectrum garbage = one;
-    for (int i = 1; i < NSpectrumSamples; ++i) garbage.Set(i, 1e9f * float(i));
+    for (int i = 1; i < NSpectrumSamples; ++i)
+        garbage.Set(i, 1e9f * float(i));
     const RGB clean = film.ToSensorRGB(one, lambda), dirty = film.ToSensorRGB(garbage, lambda);
     EXPECT_EQ(clean, dirty);
     // The one wavelength that is left counts as if it had been drawn alone.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "pbrt/materials/mix.h"
 #include "pbrt/scene/parser.h"
 #include "pbrt/textures/texture.h"
 
@@ -84,6 +85,10 @@ std::optional<MaterialSource> ReadMaterial(const std::string &source, const std:
     const Entity &entity = *chosen->entity;
     if (entity.type == InterfaceMaterial::kName) {
         log.Error(entity.loc, "an interface scatters nothing");
+        return {};
+    }
+    if (entity.type == MixMaterial::kName) {
+        log.Error(entity.loc, "a mix scatters as the materials it is made of: ask for one of them");
         return {};
     }
     const NamedTextures textures = BuildTextures(scene, Transform(), log);

@@ -139,6 +139,16 @@ Image Finished(const World &world, const RenderStats &stats) {
     return image;
 }
 
+void PrintRemarks(const World &world) {
+    const auto print = [](const std::string &remarks) {
+        if (!remarks.empty()) fmt::print(stderr, "Warning: {}\n", remarks);
+    };
+    for (const Material &m : world.materials)
+        print(Remarks(m));
+    for (const MixMaterial &m : world.mixes)
+        print(m.Remarks());
+}
+
 int RenderAndWrite(World &world, const Arguments &a, const Times &times) {
     if (const auto why = WhyNotWritable(world.film.FileName())) {
         fmt::print(stderr, "Error: {}\n", *why);
@@ -156,9 +166,7 @@ int RenderAndWrite(World &world, const Arguments &a, const Times &times) {
         fmt::print(stderr, "Interrupted: nothing was written.\n");
         return kInterrupted;
     }
-    for (const Material &m : world.materials)
-        if (const std::string remarks = Remarks(m); !remarks.empty() && !a.quiet)
-            fmt::print(stderr, "Warning: {}\n", remarks);
+    if (!a.quiet) PrintRemarks(world);
     if (const auto why =
             WriteImage(Finished(world, *stats), world.film.FileName(), world.film.Format())) {
         fmt::print(stderr, "Error: {}\n", *why);

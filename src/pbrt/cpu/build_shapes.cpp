@@ -7,11 +7,20 @@ namespace {
 
 constexpr NumberRow kAlpha{"alpha", "", 1, 0, 1, "coverage: below 1 is a random cut-out"};
 
-int AddMaterial(std::string_view type, ParamDict &params, const NamedTextures &textures,
-                World &world) {
-    if (type == InterfaceMaterial::kName) return MaterialTable::kInterface;
-    std::optional<Material> material = CreateMaterial(type, params, textures);
-    if (!material) return MaterialTable::kMissing;
+/// A named material knows those defined before it, an unnamed one all.
+MaterialId AddMaterial(const Entity &entity, const Description &scene,
+                       const NamedTextures &textures, const NamedMaterials &named, World &world,
+                       Diagnostics &log) {
+    if (entity.type == InterfaceMaterial::kName) return kInterfaceId;
+    ParamDict params(entity.params, entity.loc, fmt::format("material \"{}\"", entity.type),
+                     entity.colorSpace, &log, scene.dir);
+    if (entity.type == MixMaterial::kName) {
+        world.mixes.push_back(MixMaterial::Create(params, textures, named));
+        params.ReportUnused();
+        return kFirstMix + int(world.mixes.size()) - 1;
+    }
+    std::optional<Material> material = CreateMaterial(entity.type, params, textures);
+    if (!material) return kMissingMaterialId;
     world.materials.push_back(std::move(*material));
     return int(world.materials.size()) - 1;
 }
@@ -29,8 +38,8 @@ class ShapeBuilder {
         const FloatTexture alpha = GetFloatTexture(params, textures, kAlpha);
         std::vector<Shape> shapes = CreateShapes(entity, params, renderFromObject);
         params.ReportUnused();
-        const int material = MaterialOf(entity);
-        if (material == MaterialTable::kInterface) {
+        const MaterialId material = MaterialOf(entity);
+        if (material == kInterfaceId) {
             if (entity.areaLight)
                 log.Warning(entity.loc, "an area light on an interface gives no light");
             return;
@@ -40,7 +49,7 @@ class ShapeBuilder {
             geometry.shape = std::move(shape);
             geometry.material = std::max(0, material);
             geometry.alpha = alpha;
-            geometry.passesLight = material >= 0 && LetsLightThrough(world.materials[material]);
+            geometry.passesLight = world.LetsLightThrough(material);
             if (entity.areaLight && !CanEmit(geometry.shape)) {
                 log.Error(entity.loc, "a curve cannot be an area light");
                 continue;
@@ -111,7 +120,7 @@ class ShapeBuilder {
 
   private:
     /// The parser has seen to it that named materials exist.
-    int MaterialOf(const ShapeEntity &entity) {
+    MaterialId MaterialOf(const ShapeEntity &entity) {
         if (!entity.namedMaterial.empty()) return materials.named.at(entity.namedMaterial);
         return entity.material < 0 ? materials.fallback : materials.unnamed[entity.material];
     }
@@ -145,16 +154,10 @@ MaterialTable BuildMaterials(const Description &scene, const NamedTextures &text
                              Diagnostics &log) {
     MaterialTable table;
     world.materials.push_back(DiffuseMaterial{});
-    for (const Entity &entity : scene.materials) {
-        ParamDict params(entity.params, entity.loc, fmt::format("material \"{}\"", entity.type),
-                         entity.colorSpace, &log, scene.dir);
-        table.unnamed.push_back(AddMaterial(entity.type, params, textures, world));
-    }
-    for (const NamedMaterialEntity &entity : scene.namedMaterials) {
-        ParamDict params(entity.params, entity.loc, fmt::format("material \"{}\"", entity.type),
-                         entity.colorSpace, &log, scene.dir);
-        table.named[entity.name] = AddMaterial(entity.type, params, textures, world);
-    }
+    for (const NamedMaterialEntity &entity : scene.namedMaterials)
+        table.named[entity.name] = AddMaterial(entity, scene, textures, table.named, world, log);
+    for (const Entity &entity : scene.materials)
+        table.unnamed.push_back(AddMaterial(entity, scene, textures, table.named, world, log));
     return table;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -8,13 +7,11 @@
 
 namespace pbrt {
 
-/// Where the description's materials are in World::materials; kInterface for those that do not
-/// scatter, kMissing after an error.
+/// The description's materials, in its order.
 struct MaterialTable {
-    static constexpr int kInterface = -1, kMissing = -2;
-    std::vector<int> unnamed;
-    std::map<std::string, int> named;
-    int fallback = 0;  ///< the default material, diffuse 0.5
+    std::vector<MaterialId> unnamed;
+    NamedMaterials named;
+    MaterialId fallback = 0;  ///< the default material, diffuse 0.5
 };
 MaterialTable BuildMaterials(const Description &scene, const NamedTextures &textures, World &world,
                              Diagnostics &log);

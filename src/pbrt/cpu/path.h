@@ -59,7 +59,7 @@ class PathTracer {
         const SurfacePoint sp = world.Interact(hit, ray);
         if (geometry.firstLight >= 0) AddEmission(geometry, hit, sp);
         return std::visit([&](const auto &material) { return Scatter(material, sp); },
-                          world.materials[geometry.material]);
+                          world.MaterialMet(geometry.material, sp, ray.d));
     }
 
     /// Weight of light found by following the BSDF, `lightPDF` being what light sampling would have
@@ -211,22 +211,37 @@ class PathTracer {
   public:
     /// Share of light along `ray` that passes the surface it meets at `hit`.
     static float GapFractionAt(const World &world, const Hit &hit, const Ray &ray) {
-        const Material &material = world.materials[world.geometries[hit.geometry].material];
         const SurfacePoint sp = world.InteractLightly(hit, ray);
-        return std::visit(
-            [&]<typename M>(const M &m) -> float {
-                if constexpr (PassesLight<M>) {
-                    const TextureEvalContext ctx = world.TextureContext(sp);
-                    const Frame frame = m.TurnFrame(sp.ShadingFrame(), ctx);
-                    return m.GapFraction(ctx, frame.ToLocal(Normalize(-ray.d)));
-                } else {
-                    return 0;
-                }
-            },
-            material);
+        return GapFractionOf(world, world.geometries[hit.geometry].material, sp, ray.d);
     }
 
   private:
+    /// Of a mix: what is expected of its choice.
+    static float GapFractionOf(const World &world, MaterialId id, const SurfacePoint &sp,
+                               Vector3f d) {
+        const MixMaterial *const mix = world.AsMix(id);
+        if (!mix) {
+            return std::visit([&](const auto &m) { return GapFractionOf(world, m, sp, d); },
+                              world.materials[id]);
+        }
+        const float share = mix->amount.Evaluate(world.TextureContext(sp));
+        float gap = 0;
+        if (share < 1) gap += (1 - share) * GapFractionOf(world, mix->materials[0], sp, d);
+        if (share > 0) gap += share * GapFractionOf(world, mix->materials[1], sp, d);
+        return gap;
+    }
+    template <typename M>
+    static float GapFractionOf(const World &world, const M &material, const SurfacePoint &sp,
+                               Vector3f d) {
+        if constexpr (PassesLight<M>) {
+            const TextureEvalContext ctx = world.TextureContext(sp);
+            const Frame frame = material.TurnFrame(sp.ShadingFrame(), ctx);
+            return material.GapFraction(ctx, frame.ToLocal(Normalize(-d)));
+        } else {
+            return 0;
+        }
+    }
+
     const World &world;
     const PathSettings settings;
     SamplerT &sampler;

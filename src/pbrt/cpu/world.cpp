@@ -89,4 +89,10 @@ TextureEvalContext World::TextureContext(const SurfacePoint &sp) const {
     return ctx;
 }
 
+bool World::LetsLightThrough(MaterialId id) const {
+    if (const MixMaterial *mix = AsMix(id))
+        return LetsLightThrough(mix->materials[0]) || LetsLightThrough(mix->materials[1]);
+    return id >= 0 && pbrt::LetsLightThrough(materials[id]);
+}
+
 }  // namespace pbrt

@@ -11,6 +11,7 @@
 #include "pbrt/lights/light_sampler.h"
 #include "pbrt/lights/lights.h"
 #include "pbrt/materials/material.h"
+#include "pbrt/materials/mix.h"
 #include "pbrt/samplers/samplers.h"
 
 namespace pbrt {
@@ -32,6 +33,7 @@ struct World {
     std::vector<ObjectRange> objects;
     std::vector<Instance> instances;
     std::vector<Material> materials;
+    std::vector<MixMaterial> mixes;  ///< their ids start at kFirstMix
     std::vector<Light> lights;
     std::deque<Shape> emitterShapes;  ///< of lights whose form is not a geometry's
     std::vector<int> infiniteLights;  ///< indices into lights
@@ -56,6 +58,18 @@ struct World {
     /// Point and frames only; see pbrt::InteractLightly.
     SurfacePoint InteractLightly(const Hit &hit, const Ray &ray) const;
     TextureEvalContext TextureContext(const SurfacePoint &sp) const;
+
+    const MixMaterial *AsMix(MaterialId id) const {
+        return id >= kFirstMix ? &mixes[id - kFirstMix] : nullptr;
+    }
+    /// The material that a ray of direction d meets, where `id` is a mix.
+    const Material &MaterialMet(MaterialId id, const SurfacePoint &sp, Vector3f d) const {
+        while (const MixMaterial *mix = AsMix(id)) [[unlikely]]
+            id = mix->Choose(TextureContext(sp), d, id);
+        return materials[id];
+    }
+    /// Of materials that could not be made: no.
+    bool LetsLightThrough(MaterialId id) const;
 };
 
 }  // namespace pbrt

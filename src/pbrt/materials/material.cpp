@@ -1,10 +1,12 @@
 #include "pbrt/materials/material.h"
 
+#include "pbrt/materials/mix.h"
+
 namespace pbrt {
 
 std::vector<std::string_view> MaterialNames() {
     std::vector<std::string_view> names(MaterialTypes::kNames.begin(), MaterialTypes::kNames.end());
-    names.push_back(InterfaceMaterial::kName);
+    names.insert(names.end(), {MixMaterial::kName, InterfaceMaterial::kName});
     return names;
 }
 

@@ -5,6 +5,7 @@
 #include "pbrt/materials/conductor.h"
 #include "pbrt/materials/dielectric.h"
 #include "pbrt/materials/diffuse.h"
+#include "pbrt/materials/diffuse_transmission.h"
 #include "pbrt/materials/feather_barbule.h"
 #include "pbrt/materials/hair.h"
 #include "pbrt/util/type_list.h"
@@ -16,9 +17,10 @@ struct InterfaceMaterial {
     static constexpr std::string_view kName = "interface";
 };
 
-/// The one list of materials that scatter.
-using MaterialTypes = TypeList<DiffuseMaterial, ConductorMaterial, DielectricMaterial,
-                               FeatherBarbuleMaterial, HairMaterial>;
+/// The one list of materials that scatter. A mix chooses one of them first.
+using MaterialTypes =
+    TypeList<DiffuseMaterial, ConductorMaterial, DielectricMaterial, FeatherBarbuleMaterial,
+             HairMaterial, DiffuseTransmissionMaterial>;
 using Material = MaterialTypes::Variant;
 
 /// Surfaces that let shadow rays through declare kPassesLight.
@@ -43,7 +45,7 @@ inline std::string Remarks(const Material &material) {
 /// An error at the directive, with the list of materials, where `type` is none of them.
 std::optional<Material> CreateMaterial(std::string_view type, ParamDict &params,
                                        const NamedTextures &named);
-/// Names for messages: all of MaterialTypes, and interface.
+/// Names for messages: all of MaterialTypes, mix and interface.
 std::vector<std::string_view> MaterialNames();
 
 }  // namespace pbrt
