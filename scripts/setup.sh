@@ -3,7 +3,7 @@
 
 packages=(cmake g++ ninja-build ccache libembree-dev libtbb-dev libopenexr-dev zlib1g-dev
   libpng-dev libjpeg-dev libfmt-dev libcli11-dev libgtest-dev libgmock-dev
-  pkg-config libcairo2-dev fonts-dejavu-core)
+  nlohmann-json3-dev pkg-config libcairo2-dev fonts-dejavu-core)
 
 say() { printf '%s\n' "$*" >&2; }
 

@@ -1,0 +1,47 @@
+#include <fmt/format.h>
+
+#include "pbrt/feathergen/feather_options.h"
+
+namespace pbrt::feathergen {
+
+Outcome Run(Args args) {
+    const bool helps = !args.empty() && (args[0] == "help" || args[0] == "neck");
+    if (args.empty() || (helps && args[0] == "help" && args.size() == 1)) {
+        const std::string help[] = {"--help"};
+        return FeatherCommand(help);
+    }
+    if (args[0] == "neck") return NeckCommand(args.subspan(1));
+    if (args[0] == "help" && args[1] == "neck") {
+        const std::string help[] = {"--help"};
+        return NeckCommand(help);
+    }
+    return FeatherCommand(args);
+}
+
+Outcome FeatherCommand(Args args) {
+    CLI::App app(
+        "Grows a feather: meshes, textures and feather.pbrt, to be included in a scene. "
+        "\"feathergen neck --help\": a neck covered with feathers.",
+        "feathergen");
+    FeatherOptions o;
+    o.AddTo(&app);
+    if (auto end = cli::Parse(&app, args)) return *end;
+    Parameters parameters;
+    if (const std::string problem = o.Read(&parameters); !problem.empty()) return Failure(problem);
+    if (o.printPreset) return {0, ToJson(parameters), {}};
+
+    const Feather feather(parameters, o.seed);
+    const FeatherNames names{o.Folder(), "feather-", o.Textures()};
+    FileSet files;
+    AddFeatherFiles(feather, names, &files);
+    files.Add(names.folder + "feather.pbrt",
+              TextWriter(fmt::format("# feathergen --preset {} --seed {}: root in the origin, tip "
+                                     "along +y, outer face to +z, millimetres.\n{}"
+                                     "AttributeBegin\n{}AttributeEnd\n",
+                                     o.preset, o.seed, TextureDirectives(names),
+                                     ShapeDirectives(parameters, names))));
+    if (const auto problem = files.Write(names.folder)) return Failure(*problem);
+    return {};
+}
+
+}  // namespace pbrt::feathergen

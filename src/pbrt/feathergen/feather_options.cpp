@@ -1,0 +1,73 @@
+#include "pbrt/feathergen/feather_options.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "pbrt/util/atomic_file.h"
+#include "pbrt/util/diagnostics.h"
+
+namespace pbrt::feathergen {
+namespace {
+
+/// `name=value`.
+std::string ApplySetting(const std::string &setting, Parameters *parameters) {
+    const size_t equals = setting.find('=');
+    double value = 0;
+    if (equals != std::string::npos) {
+        const char *const first = setting.data() + equals + 1, *const last =
+                                                                   setting.data() + setting.size();
+        const auto parsed = std::from_chars(first, last, value);
+        if (first != last && parsed.ec == std::errc() && parsed.ptr == last)
+            return SetParameter(setting.substr(0, equals), value, parameters);
+    }
+    return fmt::format("\"{}\": expected name=number", setting);
+}
+
+}  // namespace
+
+void FeatherOptions::AddTo(CLI::App *app) {
+    app->add_option("--preset", preset, "where parameters start from (default rock-dove-neck)");
+    app->add_option("--params", paramsFile, "JSON file of parameters, as --print-preset writes it");
+    app->add_option("--set", set, "name=value: one parameter; may be repeated");
+    app->add_option("--seed", seed, "integer: another feather of the same kind (default 0)");
+    app->add_option("--out", out, "folder to write to; the scene names files as given here");
+    app->add_option(
+        "--textures", textures,
+        "atlas (EXR pictures, default) or ptex: how values that vary over the vane are kept");
+    app->add_flag("--print-preset", printPreset, "print the parameters as JSON and end");
+    app->footer(ParameterManual());
+}
+
+std::string FeatherOptions::Read(Parameters *parameters) const {
+    std::string problem;
+    *parameters = PresetNamed(preset, &problem);
+    if (!problem.empty()) return "--preset: " + problem;
+    if (!paramsFile.empty()) {
+        const FileContents file = ReadWholeFile(paramsFile);
+        if (!file.bytes) return "--params: " + file.error;
+        problem = FromJson(*file.bytes, parameters);
+        if (!problem.empty()) return fmt::format("--params: {}: {}", paramsFile, problem);
+    }
+    for (const std::string &setting : set) {
+        problem = ApplySetting(setting, parameters);
+        if (!problem.empty()) return "--set: " + problem;
+    }
+    constexpr std::string_view kKinds[] = {"atlas", "ptex"};
+    if (textures != "atlas" && textures != "ptex")
+        return "--textures: " + UnknownName("kind", textures, kKinds);
+    if (out.empty() && !printPreset) return "--out is missing: expected a folder to write to";
+    if (out.find('"') != std::string::npos)
+        return fmt::format("--out: \"{}\": scenes cannot name a folder with a quotation mark", out);
+    return {};
+}
+
+TextureFiles FeatherOptions::Textures() const {
+    return textures == "ptex" ? TextureFiles::Ptex : TextureFiles::Atlas;
+}
+
+std::string FeatherOptions::Folder() const {
+    return out.ends_with('/') ? out : out + "/";
+}
+
+}  // namespace pbrt::feathergen

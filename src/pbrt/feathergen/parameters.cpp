@@ -1,0 +1,99 @@
+#include "pbrt/feathergen/parameters.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "pbrt/util/diagnostics.h"
+
+namespace pbrt::feathergen {
+namespace {
+
+std::vector<std::string_view> ParameterNames() {
+    std::vector<std::string_view> names;
+    for (const ParameterRow &row : ParameterTable())
+        names.push_back(row.name);
+    return names;
+}
+
+std::string WithUnit(std::string_view text, std::string_view unit) {
+    return unit.empty() ? std::string(text) : fmt::format("{} {}", text, unit);
+}
+
+}  // namespace
+
+Parameters::Parameters() {
+    for (const ParameterRow &row : ParameterTable())
+        this->*row.value = row.def;
+}
+
+std::string SetParameter(std::string_view name, double value, Parameters *parameters) {
+    for (const ParameterRow &row : ParameterTable()) {
+        if (row.name != name) continue;
+        if (!(value >= row.lo && value <= row.hi))
+            return fmt::format("\"{}\" is {}, outside {}", name, value,
+                               WithUnit(fmt::format("[{}, {}]", row.lo, row.hi), row.unit));
+        if (row.whole && value != std::floor(value))
+            return fmt::format("\"{}\" is {}, but it counts: expected a whole number", name, value);
+        parameters->*row.value = value;
+        return {};
+    }
+    return fmt::format("unknown parameter \"{}\"{}", name, DidYouMean(name, ParameterNames()));
+}
+
+Parameters PresetNamed(std::string_view name, std::string *problem) {
+    Parameters parameters;
+    std::vector<std::string_view> names;
+    for (const Preset &preset : Presets()) {
+        names.push_back(preset.name);
+        if (preset.name != name) continue;
+        for (const Preset::Change &change : preset.changes)
+            parameters.*change.value = change.to;
+        return parameters;
+    }
+    *problem = UnknownName("preset", name, names);
+    return parameters;
+}
+
+std::string ParameterManual() {
+    std::string text = "\nparameters for --set and --params (unit, range, default):\n";
+    for (const ParameterRow &row : ParameterTable())
+        text += fmt::format("  {:<20}{:<5}{:<16}{:<8}{}\n", row.name, row.unit,
+                            fmt::format("[{}, {}]", row.lo, row.hi), row.def, row.doc);
+    text += "\npresets:\n";
+    for (const Preset &preset : Presets())
+        text += fmt::format("  {:<20}{}\n", preset.name, preset.doc);
+    return text;
+}
+
+std::string ToJson(const Parameters &parameters) {
+    nlohmann::ordered_json json;
+    for (const ParameterRow &row : ParameterTable())
+        json[std::string(row.name)] = parameters.*row.value;
+    return json.dump(2) + "\n";
+}
+
+std::string FromJson(std::string_view text, Parameters *parameters) {
+    nlohmann::json json;
+    try {
+        json = nlohmann::json::parse(text);
+    } catch (const nlohmann::json::parse_error &e) {
+        return fmt::format("is not JSON: {}", e.what());
+    }
+    if (!json.is_object()) return "expected a JSON object { \"name\": number, ... }";
+    Parameters changed = *parameters;
+    std::string mistakes;
+    for (const auto &[name, value] : json.items()) {
+        const std::string mistake =
+            value.is_number() ? SetParameter(name, value.get<double>(), &changed)
+                              : fmt::format("\"{}\" is {}: expected a number", name, value.dump());
+        if (mistake.empty()) continue;
+        mistakes += (mistakes.empty() ? "" : "\n") + mistake;
+    }
+    if (mistakes.empty()) *parameters = changed;
+    return mistakes;
+}
+
+}  // namespace pbrt::feathergen

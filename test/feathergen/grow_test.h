@@ -1,0 +1,41 @@
+#pragma once
+
+#include "pbrt/cpu/build.h"
+#include "pbrt/feathergen/commands.h"
+#include "support/temp_folder.h"
+
+namespace pbrt::feathergen {
+
+/// Runs feathergen in a folder of its own.
+class Grown : public TempFolder {
+  protected:
+    static std::string Succeed(const std::vector<std::string> &args) {
+        const cli::Outcome outcome = feathergen::Run(args);
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+        EXPECT_EQ(outcome.err, "");
+        return outcome.out;
+    }
+    static std::string Fail(const std::vector<std::string> &args) {
+        const cli::Outcome outcome = feathergen::Run(args);
+        EXPECT_EQ(outcome.exitCode, 1) << outcome.out;
+        return outcome.err;
+    }
+    std::string Bytes(const std::string &name) const {
+        std::ifstream file(Path(name), std::ios::binary);
+        EXPECT_TRUE(file) << name;
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
+    /// The scene that includes `name` of the folder, ready to be traced.
+    std::unique_ptr<World> Scene(const std::string &name) const {
+        Diagnostics log;
+        Description scene;
+        ParseString("WorldBegin\nLightSource \"infinite\"\nInclude \"" + Path(name) + "\"\n",
+                    "test.pbrt", folder.string(), scene, log);
+        std::unique_ptr<World> world = BuildWorld(scene, {}, log);
+        for (const Message &m : log.Messages())
+            ADD_FAILURE() << m.text;
+        return world;
+    }
+};
+
+}  // namespace pbrt::feathergen
