@@ -10,9 +10,10 @@ std::string MessagesOf(const std::string &world) {
 }
 
 TEST(TextureErrors, UnknownClassNamesTheKnownOnes) {
-    EXPECT_EQ(MessagesOf(R"(Texture "a" "float" "chekerboard")"),
-              "t.pbrt:2:1: unknown texture class \"chekerboard\"; did you mean \"checkerboard\"? "
-              "Known: \"checkerboard\", \"constant\", \"imagemap\", \"mix\" or \"scale\"\n");
+    EXPECT_EQ(
+        MessagesOf(R"(Texture "a" "float" "chekerboard")"),
+        "t.pbrt:2:1: unknown texture class \"chekerboard\"; did you mean \"checkerboard\"? "
+        "Known: \"checkerboard\", \"constant\", \"imagemap\", \"mix\", \"ptex\" or \"scale\"\n");
 }
 
 TEST(TextureErrors, UnknownTextureNamesTheNearest) {
@@ -36,7 +37,7 @@ TEST(TextureErrors, OneMistakeIsOneMessage) {
     EXPECT_EQ(MessagesOf("Texture \"a\" \"spectrum\" \"marble\"\n"
                          "Texture \"b\" \"spectrum\" \"scale\" \"texture tex\" \"a\""),
               "t.pbrt:2:1: unknown texture class \"marble\". Known: \"checkerboard\", "
-              "\"constant\", \"imagemap\", \"mix\" or \"scale\"\n");
+              "\"constant\", \"imagemap\", \"mix\", \"ptex\" or \"scale\"\n");
 }
 
 TEST(TextureErrors, ParametersAreChecked) {

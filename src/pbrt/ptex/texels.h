@@ -99,7 +99,7 @@ class PtexTexels {
         size_t n = ((size_t(4) << (u + v)) - (size_t(4) << (u + v - 2 * both))) / 3;
         if (level > both) {
             const int rest = std::max(u, v) - both;
-            n += (size_t(2) << rest) - (size_t(2) << (rest - (level - both)));
+            n += (size_t(2) << rest) - ((size_t(2) << rest) >> (level - both));
         }
         return n;
     }

@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
+#include "pbrt/textures/color_role.h"
+#include "pbrt/textures/encoding.h"
 
 namespace pbrt {
 namespace {
@@ -39,42 +40,17 @@ struct SpectrumImage : SpectrumNode {
     SpectrumImage(ImageLookup lookup, SpectrumType role) : lookup(std::move(lookup)), role(role) {}
     SampledSpectrum Evaluate(const TextureEvalContext &ctx,
                              const SampledWavelengths &lambda) const override {
-        if (lookup.image->NChannels() == 1 && role != SpectrumType::Illuminant) {
-            const float v = lookup.Adjusted(lookup.Stored<float>(ctx));
-            return SampledSpectrum(role == SpectrumType::Albedo ? std::min(v, 1.f) : v);
-        }
-        RGB rgb = lookup.Stored<RGB>(ctx);
-        rgb = {lookup.Adjusted(rgb.r), lookup.Adjusted(rgb.g), lookup.Adjusted(rgb.b)};
         const RGBColorSpace &space = lookup.image->ColorSpace();
-        if (role == SpectrumType::Unbounded) return space.SampleUnbounded(rgb, lambda);
-        if (role == SpectrumType::Illuminant) return space.SampleIlluminant(rgb, lambda);
-        rgb = {std::min(rgb.r, 1.f), std::min(rgb.g, 1.f), std::min(rgb.b, 1.f)};
-        return space.SampleAlbedo(rgb, lambda);
+        if (lookup.image->NChannels() == 1)
+            return SampleGrey(space, lookup.Adjusted(lookup.Stored<float>(ctx)), role, lambda);
+        const RGB rgb = lookup.Stored<RGB>(ctx);
+        return SampleColor(space,
+                           {lookup.Adjusted(rgb.r), lookup.Adjusted(rgb.g), lookup.Adjusted(rgb.b)},
+                           role, lambda);
     }
     ImageLookup lookup;
     SpectrumType role;
 };
-
-/// `encoding` as written; nullopt: as the file's kind says. Reports what it does not know.
-std::optional<ColorEncoding> GetEncoding(ParamDict &params) {
-    const std::string text = params.GetOneString("encoding", "");
-    if (text.empty()) return std::nullopt;
-    if (text == "sRGB") return ColorEncoding{ColorEncoding::Kind::sRGB, 1};
-    if (text == "linear") return ColorEncoding{ColorEncoding::Kind::Linear, 1};
-    if (text.starts_with("gamma ")) {
-        float gamma = 0;
-        const char *begin = text.data() + text.find_first_not_of(' ', 5);
-        const char *end = text.data() + text.size();
-        const auto [stop, error] = std::from_chars(begin, end, gamma);
-        if (error == std::errc() && stop == end && gamma > 0 && gamma < 100)
-            return ColorEncoding{ColorEncoding::Kind::Gamma, gamma};
-    }
-    params.Error("encoding",
-                 fmt::format("unknown encoding \"{}\"; expected \"sRGB\", \"linear\" or "
-                             "\"gamma x\" with a number x above 0 and below 100",
-                             text));
-    return std::nullopt;
-}
 
 /// The picture, from those already read where file, decoding and pyramid agree; nullptr after an
 /// error.

@@ -20,7 +20,7 @@ struct TextureEvalContext {
     Point2f uv;
     Vector3f dpdx, dpdy;
     float dudx = 0, dudy = 0, dvdx = 0, dvdy = 0;
-    int faceIndex = 0;
+    int faceIndex = 0;  ///< the mesh's face index, else the number of the primitive
 };
 
 /// A texture that is more than a constant; immutable.
@@ -73,6 +73,8 @@ class SpectrumTexture {
 
 /// An image texture's pixels; shared between textures that name the same file. In mipmap.h.
 class MIPMap;
+/// The same of Ptex files. In pbrt/ptex/texture.h.
+class PtexTexture;
 
 /// The named textures of a scene. A spectrum texture exists once per role, because its RGB values
 /// become spectra by role.
@@ -80,6 +82,7 @@ struct NamedTextures {
     std::map<std::string, FloatTexture> floats;
     std::map<std::string, SpectrumTexture> albedos, unboundeds, illuminants;
     std::map<std::string, std::shared_ptr<const MIPMap>> images;  ///< by file name and decoding
+    std::map<std::string, std::shared_ptr<const PtexTexture>> faceFiles;  ///< by file name
     bool readFootprints = false;  ///< some texture reads the steps per pixel of its context
 
     const std::map<std::string, SpectrumTexture> &Spectra(SpectrumType role) const {

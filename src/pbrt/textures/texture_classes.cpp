@@ -4,6 +4,7 @@
 #include "pbrt/textures/constant.h"
 #include "pbrt/textures/imagemap.h"
 #include "pbrt/textures/mix.h"
+#include "pbrt/textures/per_face.h"
 #include "pbrt/textures/scale.h"
 
 namespace pbrt {
@@ -16,8 +17,8 @@ constexpr TextureClass ClassOf() {
 
 /// The one list of texture classes.
 constexpr std::array kClasses{ClassOf<CheckerboardTexture>(), ClassOf<ConstantTexture>(),
-                              ClassOf<ImageTexture>(), ClassOf<MixTexture>(),
-                              ClassOf<ScaleTexture>()};
+                              ClassOf<ImageTexture>(),        ClassOf<MixTexture>(),
+                              ClassOf<PerFaceTexture>(),      ClassOf<ScaleTexture>()};
 
 constexpr auto kNames = [] {
     std::array<std::string_view, kClasses.size()> names;
