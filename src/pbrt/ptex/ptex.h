@@ -43,10 +43,10 @@ PtexContent ConstantPtex(int nChannels, std::vector<float> values);
 constexpr int kPtexMaxLog2 = 15;        ///< of a face's resolution
 constexpr int kPtexMaxChannels = 1024;  ///< in a file
 
-/// Replaces the file as a whole or not at all (WriteFileAtomically). Reductions are made here: box
-/// means down to four texels across. UInt8 and UInt16 are clamped to [0, 1] and rounded, Half is
-/// clamped to +-65504. The reason, a sentence with the file's name, where it cannot be written or
-/// the content contradicts itself or has a texel that is not finite.
+/// Replaces the file as a whole or not at all (WriteFileAtomically). Reductions are made here (not
+/// where there is alpha): box means down to four texels across. UInt8 and UInt16 are clamped to [0,
+/// 1] and rounded, Half is clamped to +-65504. The reason, a sentence with the file's name, where
+/// it cannot be written or the content contradicts itself or has a texel that is not finite.
 std::optional<std::string> WritePtex(const std::string &fileName, const PtexContent &content);
 
 }  // namespace pbrt

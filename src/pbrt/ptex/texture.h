@@ -29,10 +29,10 @@ struct PtexData {
     std::map<std::string, std::string> metadata;  ///< what is text
 };
 
-/// Reads a whole file: all types and encodings of version 1; no edits. Every size is checked
-/// against the file's before memory is taken: at most some 1100 times the file's, or 256 MiB where
-/// tiles are constant. Where the Ptex library was found it reads the file, else this project's
-/// code.
+/// Reads a whole file: all types and encodings of version 1; no edits. Borders are read as "clamp".
+/// Every size is checked against the file's before memory is taken: at most some 1100 times the
+/// file's, or 256 MiB where tiles are constant. Where the Ptex library was found it reads the file,
+/// else this project's code.
 OrError<PtexData> ReadPtex(const std::string &fileName);
 /// The like from memory. Precondition: WhatIsWrong(content) is empty.
 PtexData PackPtex(const PtexContent &content);

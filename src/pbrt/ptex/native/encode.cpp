@@ -91,10 +91,11 @@ int Rank(const PtexTexels &texels, int face) {
 }
 
 template <typename T>
-std::vector<PtexLevel> Encode(const PtexTexels &texels) {
+std::vector<PtexLevel> Encode(const PtexTexels &texels, bool reductions) {
     std::vector<PtexLevel> levels(1);
     for (int f = 0; f < texels.NFaces(); ++f)
         (texels.IsConstant(f) ? Block() : EncodeFace<T>(texels, f, 0)).AddTo(&levels[0]);
+    if (!reductions) return levels;
     for (const int f : PtexReductionOrder(texels))
         for (int level = 1; level <= Rank(texels, f) - kPtexLeastLog2; ++level) {
             if (size_t(level) == levels.size()) levels.emplace_back();
@@ -122,8 +123,9 @@ std::vector<int> PtexReductionOrder(const PtexTexels &texels) {
     return order;
 }
 
-std::vector<PtexLevel> EncodeLevels(const PtexTexels &texels) {
-    return WithPtexType(texels.Type(), [&](auto t) { return Encode<decltype(t)>(texels); });
+std::vector<PtexLevel> EncodeLevels(const PtexTexels &texels, bool reductions) {
+    return WithPtexType(texels.Type(),
+                        [&](auto t) { return Encode<decltype(t)>(texels, reductions); });
 }
 
 }  // namespace pbrt

@@ -26,7 +26,7 @@ struct PtexLevel {
     std::string blocks;
 };
 
-/// All levels of a file: 0 with every face, then those reductions that PtexRank asks for.
-std::vector<PtexLevel> EncodeLevels(const PtexTexels &texels);
+/// The levels of a file: 0 with every face, then, if asked for, the reductions that PtexRank says.
+std::vector<PtexLevel> EncodeLevels(const PtexTexels &texels, bool reductions);
 
 }  // namespace pbrt

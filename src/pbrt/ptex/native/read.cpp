@@ -32,7 +32,9 @@ class Reader {
             if (data.texels.IsConstant(f))
                 std::memcpy(data.texels.Level(f, 0), Color(f), data.texels.PixelSize());
         std::vector<int> stored(size_t(NFaces()), 0);  // the coarsest level each face has
-        for (size_t l = 0; l < levels.size(); ++l)
+        // Stored reductions are multiplied by alpha, the finest texels are not.
+        const size_t nUsed = data.alphaChannel < 0 ? levels.size() : 1;
+        for (size_t l = 0; l < nUsed; ++l)
             if (!ForEachBlock(int(l), [&](int face, const PtexBlock &block) {
                     stored[size_t(face)] = int(l);
                     return DecodePtexBlock(block, data.texels, Color(face),

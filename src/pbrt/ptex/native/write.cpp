@@ -39,7 +39,8 @@ std::string FileBytes(const PtexData &data) {
     for (int f = 0; f < texels.NFaces(); ++f)
         infos.push_back(InfoOf(data, f));
     const std::string faceInfo = Zip(infos), constants = Constants(texels);
-    const std::vector<PtexLevel> levels = EncodeLevels(texels);
+    // Files' reductions are multiplied by alpha; without them readers make their own.
+    const std::vector<PtexLevel> levels = EncodeLevels(texels, data.alphaChannel < 0);
     std::string levelInfo, levelData;
     for (const PtexLevel &level : levels) {
         const std::string headers = Zip(level.headers);
