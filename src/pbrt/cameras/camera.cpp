@@ -8,8 +8,8 @@ namespace {
 constexpr std::array<std::string_view, 2> kNames{"perspective", "orthographic"};
 constexpr NumberRow kFov{"fov", "deg", 90, 1e-3f, 179.9f, "field of view of the shorter axis"};
 constexpr NumberRow kLensRadius{"lensradius", "", 0, 0, 1e30f, "radius of the thin lens"};
-constexpr NumberRow kFocalDistance{"focaldistance", "", 1e6f, 1e-30f, 1e30f,
-                                   "distance of the plane in focus"};
+constexpr NumberRow kFocalDistance{"focaldistance", "",    1e6f,
+                                   1e-30f,          1e30f, "distance of the plane in focus"};
 constexpr NumberRow kAspect{"frameaspectratio", "", 1, 1e-6f, 1e6f, "width over height"};
 constexpr NumberRow kShutterOpen{"shutteropen", "", 0, -1e30f, 1e30f, "time"};
 constexpr NumberRow kShutterClose{"shutterclose", "", 1, -1e30f, 1e30f, "time"};
@@ -64,6 +64,12 @@ Camera Camera::Create(const Description &scene, Point2i resolution, Diagnostics 
     if (!(c.shutterClose > c.shutterOpen))
         params.Error("shutterclose", "\"shutterclose\" must be later than \"shutteropen\"");
     params.ReportUnused();
+    const double start = scene.transformStart, duration = scene.transformEnd - start;
+    const auto rayTime = [&](double t) {
+        return float(std::clamp((t - start) / std::max(duration, 1e-30), -1e30, 1e30));
+    };
+    c.timeOpen = rayTime(c.shutterOpen);
+    c.timeClose = rayTime(c.shutterClose);
 
     c.cameraFromWorld = scene.cameraFromWorld[0];
     const Transform worldFromCamera = c.cameraFromWorld.Inverse();

@@ -17,7 +17,8 @@ class Camera {
     /// Errors go to the log; the camera is usable all the same. `resolution` of the full film.
     static Camera Create(const Description &scene, Point2i resolution, Diagnostics &log);
 
-    /// `film` in pixels of the full picture, `lens` and `time` in [0, 1). d is unit.
+    /// `film` in pixels of the full picture, `lens` and `time` in [0, 1). d is unit. The ray's time
+    /// runs from 0 at TransformTimes' start to 1 at its end and stays there before and after.
     Ray GenerateRay(Point2f film, Point2f lens, float time) const {
         Point3f o = origin + film.x * originPerX + film.y * originPerY;
         Vector3f d = direction + film.x * directionPerX + film.y * directionPerY;
@@ -27,7 +28,8 @@ class Camera {
             o = o + lensRadius * (l.x * right + l.y * up);
             d = focus - o;
         }
-        return {o, Normalize(d), Infinity, shutterOpen + time * (shutterClose - shutterOpen)};
+        return {o, Normalize(d), Infinity,
+                std::clamp(timeOpen + time * (timeClose - timeOpen), 0.f, 1.f)};
     }
     const Transform &RenderFromWorld() const { return renderFromWorld; }
     const Transform &RenderFromCamera() const { return renderFromCamera; }
@@ -51,8 +53,9 @@ class Camera {
     Vector3f originPerX, originPerY, direction, directionPerX, directionPerY;
     Vector3f right, up, forward;
     float lensRadius = 0, focalDistance = 1e6f, shutterOpen = 0, shutterClose = 1;
-    float pixelAngle = 0;  ///< steps per unit distance, perspective
-    float pixelSize = 0;   ///< steps, orthographic
+    float timeOpen = 0, timeClose = 1;  ///< the shutter's in the time of rays, not clamped
+    float pixelAngle = 0;               ///< steps per unit distance, perspective
+    float pixelSize = 0;                ///< steps, orthographic
     Transform renderFromWorld, renderFromCamera, cameraFromWorld, ndcFromWorld;
 };
 

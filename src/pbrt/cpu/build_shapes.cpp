@@ -72,53 +72,65 @@ class ShapeBuilder {
         TransformPair t;
         for (int i = 0; i < 2; ++i)
             t[i] = renderFromParent[i] * use.worldFromInstance[i];
-        if (!object.shapes.empty()) {
-            Instance instance;
-            instance.object = objectIndex.at(use.name);
-            instance.renderFromObject = t;
-            instance.moving = !(t[0] == t[1]);
-            world.moves |= instance.moving;
-            world.instances.push_back(instance);
-        }
+        for (const ObjectPart &part : parts.at(use.name))
+            Place(part.object, {t[0] * part.inObject[0], t[1] * part.inObject[1]});
         for (const InstanceUse &inner : object.instances)
             AddInstance(inner, t);
     }
 
     void AddObjects() {
         for (const auto &[name, object] : scene.objects) {
+            std::vector<ObjectPart> &made = parts[name];
             const uint32_t first = StartObject();
-            for (const ShapeEntity &entity : object.shapes) {
-                if (!(entity.worldFromObject[0] == entity.worldFromObject[1]))
-                    log.Error(entity.loc, "moving shapes inside an object are not supported");
-                Add(entity, entity.worldFromObject[0], true);
-            }
-            objectIndex[name] = uint32_t(world.objects.size());
-            world.objects.push_back({first, uint32_t(world.geometries.size())});
+            for (const ShapeEntity &entity : object.shapes)
+                if (!Moves(entity)) Add(entity, entity.worldFromObject[0], true);
+            made.push_back({FinishObject(first), {}});
+            for (const ShapeEntity &entity : object.shapes)
+                if (Moves(entity)) made.push_back({AddMovingShape(entity), entity.worldFromObject});
         }
     }
 
-    /// A shape whose two transforms differ becomes an object of its own, used once. It is made in
-    /// its own space; the instance carries the motion.
     void AddMovingShapes(const Transform &renderFromWorld) {
         for (const ShapeEntity &entity : scene.shapes) {
-            if (entity.worldFromObject[0] == entity.worldFromObject[1]) continue;
-            const uint32_t first = StartObject();
+            if (!Moves(entity)) continue;
             if (entity.areaLight) log.Error(entity.loc, "moving area lights are not supported");
-            Add(entity, Transform(), true);
-            Instance instance;
-            instance.object = uint32_t(world.objects.size());
-            for (int i = 0; i < 2; ++i)
-                instance.renderFromObject[i] = renderFromWorld * entity.worldFromObject[i];
-            instance.moving = true;
-            world.moves = true;
-            world.objects.push_back({first, uint32_t(world.geometries.size())});
-            world.instances.push_back(instance);
+            const TransformPair &t = entity.worldFromObject;
+            Place(AddMovingShape(entity), {renderFromWorld * t[0], renderFromWorld * t[1]});
         }
+    }
+
+    static bool Moves(const ShapeEntity &entity) {
+        return !(entity.worldFromObject[0] == entity.worldFromObject[1]);
     }
 
     std::vector<EmissiveShape> emitters;
 
   private:
+    /// What an object consists of: its resting shapes together, each moving one by itself.
+    struct ObjectPart {
+        uint32_t object;  ///< index into World::objects
+        TransformPair inObject;
+    };
+
+    uint32_t FinishObject(uint32_t first) {
+        world.objects.push_back({first, uint32_t(world.geometries.size())});
+        return uint32_t(world.objects.size()) - 1;
+    }
+    /// A shape whose two transforms differ becomes an object of its own, made in its own space; an
+    /// instance carries the motion.
+    uint32_t AddMovingShape(const ShapeEntity &entity) {
+        const uint32_t first = StartObject();
+        Add(entity, Transform(), true);
+        return FinishObject(first);
+    }
+    void Place(uint32_t object, const TransformPair &renderFromObject) {
+        const ObjectRange &range = world.objects[object];
+        if (range.first == range.last) return;
+        const bool moving = !(renderFromObject[0] == renderFromObject[1]);
+        world.moves |= moving;
+        world.instances.push_back({object, renderFromObject, moving});
+    }
+
     /// The parser has seen to it that named materials exist.
     MaterialId MaterialOf(const ShapeEntity &entity) {
         if (!entity.namedMaterial.empty()) return materials.named.at(entity.namedMaterial);
@@ -145,7 +157,7 @@ class ShapeBuilder {
     World &world;
     Diagnostics &log;
     uint32_t joinFrom = 0;  ///< first geometry of the object being built
-    std::map<std::string, uint32_t> objectIndex;
+    std::map<std::string, std::vector<ObjectPart>> parts;  ///< by the object's name
 };
 
 }  // namespace
@@ -167,7 +179,7 @@ std::vector<EmissiveShape> BuildShapes(const Description &scene, const NamedText
     ShapeBuilder builder(scene, textures, materials, world, log);
     const Transform &renderFromWorld = world.camera.RenderFromWorld();
     for (const ShapeEntity &entity : scene.shapes)
-        if (entity.worldFromObject[0] == entity.worldFromObject[1])
+        if (!ShapeBuilder::Moves(entity))
             builder.Add(entity, renderFromWorld * entity.worldFromObject[0], false);
     builder.AddObjects();
     builder.AddMovingShapes(renderFromWorld);

@@ -1,5 +1,7 @@
 #include "pbrt/cpu/world.h"
 
+#include "pbrt/shapes/instanced.h"
+
 namespace pbrt {
 namespace {
 
@@ -19,32 +21,6 @@ Ray ToObject(const Transform &renderFromObject, const Ray &ray) {
     return {objectFromRender.Point(ray.o), objectFromRender.Vector(ray.d), ray.tMax, ray.time};
 }
 
-/// Error of a transformed point: the input's carried through, and the product's own rounding.
-Vector3f TransformedError(const Transform &t, Point3f p, Vector3f error) {
-    const Matrix4 &m = t.Matrix();
-    Vector3f e;
-    for (int i = 0; i < 3; ++i) {
-        const float carried = std::abs(m[i][0]) * error.x + std::abs(m[i][1]) * error.y +
-                              std::abs(m[i][2]) * error.z;
-        const float size = std::abs(m[i][0] * p.x) + std::abs(m[i][1] * p.y) +
-                           std::abs(m[i][2] * p.z) + std::abs(m[i][3]);
-        e[i] = (1 + Gamma(3)) * carried + Gamma(3) * size;
-    }
-    return e;
-}
-
-SurfacePoint ToRender(const Transform &t, const SurfacePoint &sp) {
-    SurfacePoint r = sp;
-    r.p = t.Point(sp.p);
-    r.pError = TransformedError(t, sp.p, sp.pError);
-    r.n = Normalize(t.Normal(sp.n));
-    r.ns = FaceForward(Normalize(t.Normal(sp.ns)), r.n);
-    r.dpdu = t.Vector(sp.dpdu);
-    r.dpdv = t.Vector(sp.dpdv);
-    r.dpdus = t.Vector(sp.dpdus);
-    return r;
-}
-
 }  // namespace
 
 SurfacePoint World::Interact(const Hit &hit, const Ray &ray) const {
@@ -52,14 +28,14 @@ SurfacePoint World::Interact(const Hit &hit, const Ray &ray) const {
     if (hit.instance == ~0u) [[likely]]
         return pbrt::Interact(shape, hit, ray);
     const Transform t = At(instances[hit.instance], ray.time);
-    return ToRender(t, pbrt::Interact(shape, hit, ToObject(t, ray)));
+    return FromInstance(t, pbrt::Interact(shape, hit, ToObject(t, ray)));
 }
 
 SurfacePoint World::InteractLightly(const Hit &hit, const Ray &ray) const {
     const Shape &shape = geometries[hit.geometry].shape;
     if (hit.instance == ~0u) return pbrt::InteractLightly(shape, hit, ray);
     const Transform t = At(instances[hit.instance], ray.time);
-    return ToRender(t, pbrt::InteractLightly(shape, hit, ToObject(t, ray)));
+    return FromInstance(t, pbrt::InteractLightly(shape, hit, ToObject(t, ray)));
 }
 
 TextureEvalContext World::TextureContext(const SurfacePoint &sp) const {
@@ -72,7 +48,7 @@ TextureEvalContext World::TextureContext(const SurfacePoint &sp) const {
     // Sampling finer than a pixel deserves finer look-ups.
     const float scale =
         std::max(0.125f, 1 / std::sqrt(float(std::visit(
-                             [](const auto &s) { return s.SamplesPerPixel(); }, sampler))));
+                                 [](const auto &s) { return s.SamplesPerPixel(); }, sampler))));
     camera.ApproximateStep(sp.p, sp.n, scale, &ctx.dpdx, &ctx.dpdy);
     // Least squares for (du, dv) in dp = dpdu du + dpdv dv.
     const float a = Dot(sp.dpdu, sp.dpdu), b = Dot(sp.dpdu, sp.dpdv), c = Dot(sp.dpdv, sp.dpdv);
