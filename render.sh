@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # ./render.sh [scene.pbrt] [pbrt options]: installs what is missing, builds, renders the scene and
 # makes a PNG of the picture. Without a scene: scenes/dove-swatch. Without --outfile the picture goes
-# to the current folder under the scene's name.
+# to the current folder under the scene's name. A generate.sh beside the scene is run first; it makes
+# the files that the scene includes.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd -P)
 source "$root/scripts/setup.sh"
@@ -44,9 +45,13 @@ if [ -z "$only_text" ] && [ ! -r "$scene" ]; then
   exit 1
 fi
 install_packages
-configure_and_build release build pbrt imgtool
+generate=$(dirname "$scene")/generate.sh
+targets=(pbrt imgtool)
+[ -x "$generate" ] && targets+=(feathergen)
+configure_and_build release build "${targets[@]}"
 bin=$root/build/bin
 [ -n "$only_text" ] && exec "$bin/pbrt" "$@"
+[ -x "$generate" ] && "$generate" "$bin"
 
 if [ -z "$outfile" ]; then
   outfile=$(basename "$scene")

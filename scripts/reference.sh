@@ -6,6 +6,7 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
 scene=$1 runs=${2:-64}
 folder=$(cd "$(dirname "$scene")" && pwd -P)
+[ ! -x "$folder/generate.sh" ] || "$folder/generate.sh" "$root/build/bin"
 pictures=$(mktemp -d)
 trap 'rm -rf "$pictures"' EXIT
 for seed in $(seq 1 "$runs"); do

@@ -1,5 +1,6 @@
 // Every scene of scenes/ that has a reference picture still renders it, within noise.
 
+#include <cstdlib>
 #include <filesystem>
 
 #include "pbrt/cpu/build.h"
@@ -29,6 +30,10 @@ class Scenes : public testing::TestWithParam<std::string> {};
 
 TEST_P(Scenes, LookLikeTheirReference) {
     const std::string folder = PBRT_SOURCE_DIR "/scenes/" + GetParam() + "/";
+    if (fs::exists(folder + "generate.sh")) {
+        ASSERT_EQ(std::system(("'" + folder + "generate.sh' '" PBRT_PROGRAMS "' >/dev/null").c_str()),
+                  0);
+    }
     const Image reference = *ReadImage(folder + "reference.exr").value;
     const Image variance = *ReadImage(folder + "reference-variance.exr").value;
     Diagnostics log;

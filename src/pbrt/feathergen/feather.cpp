@@ -58,7 +58,8 @@ Barb GrowBarb(const Feather &feather, double place, int side, Variates &random) 
         feather.rachis.Point(at) + 0.7 * side * feather.RachisRadius(at) * barb.axis.base.left;
     const double angle = Lerp(crowded, p.barbAngleBase, p.barbAngleTip);
     barb.axis.azimuth = side * (angle + p.jitter * random());
-    barb.axis.turn = -side * (p.barbCurl + p.jitter * random());
+    barb.axis.turn =
+        -side * (p.barbCurl * angle / std::max(p.barbAngleBase, 0.01) + p.jitter * random());
     // Barbs along the rachis lie in its plane, those across it bend most.
     barb.axis.rise = (p.barbLift + p.jitter * random()) * std::sin(angle);
     barb.axis.droop = (p.barbDroop + p.jitter * random()) * std::sin(angle);
