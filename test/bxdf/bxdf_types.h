@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "bxdf/bxdf_case.h"
+#include "pbrt/bxdfs/coated_diffuse.h"
 #include "pbrt/bxdfs/conductor.h"
 #include "pbrt/bxdfs/dielectric.h"
 #include "pbrt/bxdfs/diffuse.h"
@@ -12,8 +13,8 @@
 namespace pbrt::test {
 
 /// Every BxDF there is.
-using BxDFTypes =
-    testing::Types<DiffuseBxDF, ConductorBxDF, DielectricBxDF, HairBxDF, DiffuseTransmissionBxDF>;
+using BxDFTypes = testing::Types<DiffuseBxDF, ConductorBxDF, DielectricBxDF, HairBxDF,
+                                 DiffuseTransmissionBxDF, CoatedDiffuseBxDF>;
 
 inline SampledSpectrum Spectral(float a, float b, float c, float d) {
     return SampledSpectrum(std::array<float, 4>{a, b, c, d});
@@ -33,6 +34,24 @@ inline std::vector<BxDFCase<DiffuseTransmissionBxDF>> CasesOf() {
             {"only reflects", DiffuseTransmissionBxDF(red, none)},
             {"only transmits", DiffuseTransmissionBxDF(none, red)},
             {"black", DiffuseTransmissionBxDF(none, none)}};
+}
+
+template <>
+inline std::vector<BxDFCase<CoatedDiffuseBxDF>> CasesOf() {
+    static const Coat lossless(1.5f, 0, 0, 0), thin(1.5f, 0.01f, 0, 0), none(1, 0, 0, 0),
+        rough(1.5f, 0.01f, 0.3f, 0.3f), brushed(1.8f, 0.5f, 0.1f, 0.4f),
+        textured = Coat::ForTextures(1.5f, 0.01f);
+    const SampledSpectrum white(1), red = Spectral(0.1f, 0.2f, 0.7f, 0.4f);
+    return {{"smooth, white", CoatedDiffuseBxDF(white, lossless, 0, 0)},
+            {"smooth, coloured", CoatedDiffuseBxDF(red, thin, 0, 0)},
+            {"smooth, black", CoatedDiffuseBxDF(SampledSpectrum(0), thin, 0, 0)},
+            {"index 1", CoatedDiffuseBxDF(white, none, 0, 0)},
+            {"rough, white", CoatedDiffuseBxDF(white, rough, 0.3f, 0.3f)},
+            {"rough, black", CoatedDiffuseBxDF(SampledSpectrum(0), rough, 0.3f, 0.3f)},
+            {"brushed", CoatedDiffuseBxDF(red, brushed, 0.1f, 0.4f)},
+            {"textured", CoatedDiffuseBxDF(white, textured, 0.05f, 0.4f)},
+            {"very rough", CoatedDiffuseBxDF(red, textured, 3, 1)},
+            {"nearly smooth", CoatedDiffuseBxDF(red, textured, 0.0012f, 0), 1, true, 0.05f}};
 }
 
 template <>

@@ -23,6 +23,10 @@ const std::vector<Lossless> &Cases() {
         {"DiffuseTransmission",
          "Material \"diffusetransmission\" \"spectrum reflectance\" [ 300 .3 900 .3 ] \"spectrum "
          "transmittance\" [ 300 .7 900 .7 ]"},
+        {"CoatedDiffuse",
+         "Material \"coateddiffuse\" \"spectrum reflectance\" [ 300 1 900 1 ] \"float thickness\" "
+         "0",
+         1.6e-2},
         {"Mix",
          "MakeNamedMaterial \"hair\" \"string type\" \"hair\" \"spectrum sigma_a\" [ 300 0 900 0 "
          "]\n"

@@ -27,6 +27,8 @@ std::string Mixed() {
            "AttributeBegin\nMaterial \"featherbarbule\"\nTranslate .6 .5 0\n"
            "Shape \"sphere\" \"float radius\" .6\nAttributeEnd\n"
            "MakeNamedMaterial \"paper\" \"string type\" \"diffusetransmission\"\n"
+           "Material \"coateddiffuse\" \"float roughness\" .1\n"
+           "Shape \"sphere\" \"float radius\" .2\n"
            "MakeNamedMaterial \"vane\" \"string type\" \"featherbarbule\" \"float spacing\" 3\n"
            "AttributeBegin\nMaterial \"mix\" \"string materials\" [ \"paper\" \"vane\" ]\n"
            "Translate 0 .2 1 Shape \"sphere\" \"float radius\" .2\nAttributeEnd\n"

@@ -18,20 +18,14 @@ struct DiffuseTransmissionMaterial {
     DiffuseTransmissionBxDF GetBxDF(const TextureEvalContext &ctx,
                                     const SampledWavelengths &lambda) const {
         const float s = scale.Evaluate(ctx);
-        return DiffuseTransmissionBxDF(Albedo(s * reflectance.Evaluate(ctx, lambda)),
-                                       Albedo(s * transmittance.Evaluate(ctx, lambda)));
+        return DiffuseTransmissionBxDF(ClampToUnit(s * reflectance.Evaluate(ctx, lambda)),
+                                       ClampToUnit(s * transmittance.Evaluate(ctx, lambda)));
     }
     /// A sentence where texture values had to be clamped; else empty.
     std::string Remarks() const {
         std::string text;
         scale.AddRemark(kName, &text);
         return text;
-    }
-
-  private:
-    static SampledSpectrum Albedo(SampledSpectrum s) {
-        const SampledSpectrum::Lanes one = SampledSpectrum(1).Values(), v = ClampZero(s).Values();
-        return SampledSpectrum(v < one ? v : one);
     }
 };
 

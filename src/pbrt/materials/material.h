@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "pbrt/materials/coated_diffuse.h"
 #include "pbrt/materials/conductor.h"
 #include "pbrt/materials/dielectric.h"
 #include "pbrt/materials/diffuse.h"
@@ -20,7 +21,7 @@ struct InterfaceMaterial {
 /// The one list of materials that scatter. A mix chooses one of them first.
 using MaterialTypes =
     TypeList<DiffuseMaterial, ConductorMaterial, DielectricMaterial, FeatherBarbuleMaterial,
-             HairMaterial, DiffuseTransmissionMaterial>;
+             HairMaterial, DiffuseTransmissionMaterial, CoatedDiffuseMaterial>;
 using Material = MaterialTypes::Variant;
 
 /// Surfaces that let shadow rays through declare kPassesLight.

@@ -65,6 +65,11 @@ inline SampledSpectrum ClampZero(SampledSpectrum a) {
     const SampledSpectrum::Lanes zero{};
     return SampledSpectrum(a.Values() > zero ? a.Values() : zero);
 }
+/// To [0, 1].
+inline SampledSpectrum ClampToUnit(SampledSpectrum a) {
+    const SampledSpectrum::Lanes one = SampledSpectrum(1).Values(), v = ClampZero(a).Values();
+    return SampledSpectrum(v < one ? v : one);
+}
 
 /// Density (1/nm) of the visible importance; 0 outside [LambdaMin, LambdaMax].
 /// PBRT_FORMAT section 6; integrates to 1 within 2e-7.
