@@ -210,6 +210,22 @@ TEST(PtexFilter, TrianglesMeetWhicheverWayTheyAreTurned) {
             EXPECT_NEAR(seen[size_t(turn)][k], seen[0][k], 1e-5f);
 }
 
+TEST(PtexFilter, SubfacesMeetOnlySubfaces) {
+    PtexContent content = ConstantPtex(1, {1, 2, 3});
+    content.faces[0].neighbours = {-1, 1, -1, -1};
+    content.faces[0].neighbourEdges = {0, 3, 0, 0};
+    content.faces[1].neighbours = {-1, 2, -1, 0};
+    content.faces[1].neighbourEdges = {0, 3, 0, 1};
+    content.faces[2].neighbours = {-1, -1, -1, 1};
+    content.faces[2].neighbourEdges = {0, 0, 0, 1};
+    PtexData data = PackPtex(content);
+    data.neighbours[1].subface = data.neighbours[2].subface = true;
+    const PtexTexture texture(std::move(data));
+    EXPECT_EQ(LookupAll(texture, 0, {1, 0.5f})[0], 1);
+    EXPECT_EQ(LookupAll(texture, 1, {0, 0.5f})[0], 2);
+    EXPECT_EQ(LookupAll(texture, 1, {1, 0.5f})[0], 2.5f);
+}
+
 TEST(PtexFilter, OddArgumentsAreHarmless) {
     const PtexTexture quad = ReadPtexOrFail(kPtexData + "quad_float.ptx");
     const PtexTexture triangle = ReadPtexOrFail(kPtexData + "tri_u8.ptx");

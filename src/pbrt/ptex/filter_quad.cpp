@@ -11,32 +11,30 @@ struct Cell {
     int face, x, y, log2U, log2V;
 };
 
-/// The cell's continuation behind edge `from` of its face, in the coordinates of the face there,
-/// whose edge `to` it is. The cell lies along the edge at t (counter-clockwise) and `depth` rows
-/// behind it; from the other side the edge runs the other way.
-Cell CellBehind(const Cell &c, int from, int neighbour, int to) {
-    const int nU = 1 << c.log2U, nV = 1 << c.log2V;
-    const int alongs[4] = {c.x, c.y, nU - 1 - c.x, nV - 1 - c.y};
-    const int depths[4] = {-1 - c.y, c.x - nU, c.y - nV, -1 - c.x};
-    const bool turned = (from ^ to) & 1;
-    Cell n{neighbour, 0, 0, turned ? c.log2V : c.log2U, turned ? c.log2U : c.log2V};
-    const int lastU = (1 << n.log2U) - 1, lastV = (1 << n.log2V) - 1;
-    const int depth = depths[from], t = ((to & 1) ? lastV : lastU) - alongs[from];
-    const Point2i at[4] = {
-        {t, depth}, {lastU - depth, t}, {lastU - t, lastV - depth}, {depth, lastV - t}};
-    n.x = at[to].x;
-    n.y = at[to].y;
-    return n;
-}
-
-/// Moves the cell across `edge`; false where there is no neighbour to go to.
+/// Moves the cell across `edge` into the face behind, whose (u, v) may be turned by quarters: its
+/// edge e + turn is this face's e. False where there is no neighbour to go to.
 bool Cross(const PtexTexture &texture, int edge, Cell *c) {
     const PtexNeighbours *around = texture.Neighbours(c->face);
     if (!around) return false;
     const int neighbour = around->faces[size_t(edge)];
-    if (neighbour < 0 || texture.Neighbours(neighbour)->subface != around->subface) return false;
-    *c = CellBehind(*c, edge, neighbour, around->Edge(edge));
-    return true;
+    if (neighbour < 0) return false;
+    const int nU = 1 << c->log2U, nV = 1 << c->log2V;
+    const int x = c->x + (edge == 3 ? nU : edge == 1 ? -nU : 0);
+    const int y = c->y + (edge == 0 ? nV : edge == 2 ? -nV : 0);
+    switch ((around->Edge(edge) + 2 - edge) & 3) {
+        case 0:
+            *c = {neighbour, x, y, c->log2U, c->log2V};
+            return true;
+        case 1:
+            *c = {neighbour, nV - 1 - y, x, c->log2V, c->log2U};
+            return true;
+        case 2:
+            *c = {neighbour, nU - 1 - x, nV - 1 - y, c->log2U, c->log2V};
+            return true;
+        default:
+            *c = {neighbour, y, nU - 1 - x, c->log2V, c->log2U};
+            return true;
+    }
 }
 
 /// Brings a cell that lies less than one face outside into the face it lies in, first along u.
@@ -60,6 +58,9 @@ template <typename T>
 void AddCell(const PtexTexels &texels, const Cell &c, float weight, std::span<float> out) {
     const size_t n = size_t(texels.NChannels());
     if (texels.IsConstant(c.face)) return AddTexel(texels.LevelAs<T>(c.face, 0), weight, out);
+    if (texels.Log2U(c.face) == c.log2U && texels.Log2V(c.face) == c.log2V)
+        return AddTexel(texels.LevelAs<T>(c.face, 0) + ((size_t(c.y) << c.log2U) + size_t(c.x)) * n,
+                        weight, out);
     const int finerU = texels.Log2U(c.face) - c.log2U, finerV = texels.Log2V(c.face) - c.log2V;
     const int level = std::clamp(std::min(finerU, finerV), std::max({finerU, finerV, 3}) - 3,
                                  texels.NLevels(c.face) - 1);
@@ -110,15 +111,13 @@ void Lookup(const PtexTexture &texture, int face, Point2f uv, Vector2f width,
     }
     const int nU = 1 << log2U, nV = 1 << log2V;
     const AxisTaps u = MakeTaps(uv.x * float(nU), a), v = MakeTaps(uv.y * float(nV), b);
-    const bool inside =
-        u.first >= 0 && u.first + u.count <= nU && v.first >= 0 && v.first + v.count <= nV;
     const T *grid = texels.LevelAs<T>(face, level);
     const size_t n = size_t(texels.NChannels());
     for (int j = 0; j < v.count; ++j)
         for (int i = 0; i < u.count; ++i) {
             const int x = u.first + i, y = v.first + j;
             const float weight = u.weight[size_t(i)] * v.weight[size_t(j)];
-            if (inside)
+            if (unsigned(x) < unsigned(nU) && unsigned(y) < unsigned(nV))
                 AddTexel(grid + (size_t(y) * size_t(nU) + size_t(x)) * n, weight, out);
             else if (weight != 0)
                 AddCell<T>(texels, Inside(texture, {face, x, y, log2U, log2V}), weight, out);

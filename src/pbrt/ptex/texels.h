@@ -48,6 +48,7 @@ class PtexTexels {
         : mesh(mesh), type(type), nChannels(nChannels) {}
 
     /// Faces are added first, with exponents in [0, kPtexMaxLog2]; then memory is taken at once.
+    void ReserveFaces(size_t n) { faces.reserve(n); }
     void AddFace(int log2U, int log2V, bool constant);
     uint64_t BytesNeeded() const { return nTexels * PixelSize(); }
     void Allocate() { bytes.resize(BytesNeeded()); }

@@ -27,6 +27,9 @@ PtexFace FaceOf(const PtexTexture &texture, int face) {
 PtexTexture::PtexTexture(PtexData d) : data(std::move(d)), flat(data.neighbours.empty()) {
     for (int f = 0; f < NFaces() && flat; ++f)
         flat = data.texels.IsConstant(f);
+    for (PtexNeighbours &around : data.neighbours)
+        for (int &other : around.faces)
+            if (other >= 0 && data.neighbours[size_t(other)].subface != around.subface) other = -1;
 }
 
 size_t PtexTexture::MemoryBytes() const {

@@ -71,7 +71,7 @@ class PtexTexture {
     const PtexNeighbours *Neighbours(int face) const {
         return data.neighbours.empty() ? nullptr : &data.neighbours[size_t(face)];
     }
-    /// What WritePtex takes.
+    /// What WritePtex takes; subfaces have lost what made them such.
     PtexContent Content() const;
 
   private:

@@ -114,6 +114,7 @@ class Reader {
                        &infos))
             return false;
         bool anyNeighbour = false;
+        data.texels.ReserveFaces(infos.size());
         for (size_t f = 0; f < infos.size(); ++f) {
             if (!CheckFace(f, infos[f])) return false;
             data.texels.AddFace(infos[f].log2U, infos[f].log2V,
@@ -121,9 +122,10 @@ class Reader {
             for (int e = 0; e < NEdges(); ++e)
                 anyNeighbour |= infos[f].neighbours[e] >= 0;
         }
-        if (anyNeighbour)
-            for (const PtexFaceInfo &info : infos)
-                data.neighbours.push_back(NeighboursOf(info));
+        if (!anyNeighbour) return true;
+        data.neighbours.reserve(infos.size());
+        for (const PtexFaceInfo &info : infos)
+            data.neighbours.push_back(NeighboursOf(info));
         return true;
     }
     int NEdges() const { return data.texels.Mesh() == PtexMesh::Quad ? 4 : 3; }
