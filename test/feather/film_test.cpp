@@ -140,17 +140,30 @@ TEST(Film, ExtremesAtNormalIncidence) {
     EXPECT_NEAR(Film<double>({550}, {2 * quarter}, 1.55).Reflectance(1), 0, 1e-15);
 }
 
-// The average over the phase is 2F/(1+F) with F of one surface, for either polarisation; F is
-// tested at normal incidence, where the two are the same.
+// Over all phases a film reflects 2F/(1+F), F being that of one surface, either polarisation by
+// itself; unpolarised that is so where both are alike, at normal incidence.
 TEST(Film, ThickFilmTendsToIncoherentSum) {
-    const double f = Film<double>({550}, {1e5}, 1.55).SurfaceReflectance(1);
-    EXPECT_NEAR(f, std::pow(.55 / 2.55, 2), 1e-15);
+    const auto [reflected, transmitted] = AverageFilm<double>(1.55).At(1);
+    const double average = reflected / (reflected + transmitted), f = std::pow(.55 / 2.55, 2);
+    EXPECT_NEAR(average, 2 * f / (1 + f), 1e-15);
+    EXPECT_NEAR(average, .0889, 5e-5);
     double sum = 0;
     const int n = 20000;
     for (int i = 0; i < n; ++i)
         sum += Film<double>({400 + 300 * (i + 0.5) / n}, {1e5}, 1.55).Reflectance(1);
-    EXPECT_NEAR(sum / n, 2 * f / (1 + f), 5e-4);
-    EXPECT_NEAR(2 * f / (1 + f), .0889, 5e-5);
+    EXPECT_NEAR(sum / n, average, 5e-4);
+}
+// Fresnel's reflectance of a surface, from the definition; p vanishes at Brewster's angle.
+TEST(Film, AverageFilmFollowsFresnel) {
+    const double eta = 1.55;
+    for (double c : {0.35, 0.5, std::cos(std::atan(eta)), 0.9}) {
+        const double inside = std::sqrt(1 - (1 - c * c) / (eta * eta));
+        const double s = (c - eta * inside) / (c + eta * inside);
+        const double p = (eta * c - inside) / (eta * c + inside);
+        const double f = (s * s + p * p) / 2;
+        const auto [reflected, transmitted] = AverageFilm<double>(eta).At(c);
+        EXPECT_NEAR(reflected / transmitted, 2 * f / (1 - f), 1e-14);
+    }
 }
 
 TEST(Film, SineSquared) {

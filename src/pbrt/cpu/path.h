@@ -18,13 +18,21 @@ inline float PowerHeuristic(float f, float g) {
     return f * f / (f * f + g * g);
 }
 
+/// BSDFs as their materials make them. bench/sampling passes one of its own, to compare with.
+struct BSDFAsItIs {
+    template <typename B>
+    static B Of(const B &bsdf) {
+        return bsdf;
+    }
+};
+
 /// Follows one path from the camera and gathers radiance: multiple importance sampling of lights
 /// and BSDF with the power heuristic, Russian roulette after the first bounce.
 ///
 /// Gaps: a path that passes a gap goes straight on with the weights of the vertex it came from and
 /// does not count as a bounce; shadow rays take each surface's gap fraction. Both estimate the same
 /// light, so the weights of the two ways still add to 1.
-template <typename SamplerT>
+template <typename SamplerT, typename Scattering = BSDFAsItIs>
 class PathTracer {
   public:
     PathTracer(const World &world, SamplerT &sampler, RayCounts &rays)
@@ -107,7 +115,7 @@ class PathTracer {
         if constexpr (PassesLight<M>)
             if (depth == settings.maxDepth) return PassLastGap(sp, material.GapFraction(ctx, wo));
 
-        auto bsdf = material.GetBxDF(ctx, *lambda);
+        auto bsdf = Scattering::Of(material.GetBxDF(ctx, *lambda));
         if (settings.regularize && anyNonSpecular) bsdf.Regularize();
         if (IsNonSpecular(bsdf.Flags()) && settings.strategy != LightStrategy::BSDFOnly)
             L += beta * SampleLights(bsdf, sp, frame, wo);

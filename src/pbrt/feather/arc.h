@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 
@@ -21,7 +22,8 @@ struct Arc {
         const Planar<T> sum{from.n + to.n + to.x - from.x, from.x + to.x + from.n - to.n};
         const T scale = 1 / std::sqrt(Dot(sum, sum));
         const Planar<T> middle{sum.n * scale, sum.x * scale};
-        return {middle, Cross(middle, to) / (1 + Dot(middle, to))};
+        // Not below 0 where the ends are the same to rounding.
+        return {middle, std::max(T(0), Cross(middle, to)) / (1 + Dot(middle, to))};
     }
 
     struct Node {

@@ -57,7 +57,7 @@ class Barbule {
           bend(params.opening),
           melanin(optics.melanin),
           meanMelanin(Sum(optics.melanin) / N),
-          meanFilm({1}, {0}, Sum(optics.eta) / N) {
+          averageFilm(Sum(optics.eta) / N) {
         for (int i = 0; i < N; ++i)
             films[i] = Film<T>(Nm<T>{optics.lambda[i]}, params.thickness, optics.eta[i]);
     }
@@ -133,8 +133,10 @@ class Barbule {
 
     [[gnu::noinline]] Spectrum Reflected(Direction<T> wo, Direction<T> wi) const {
         if (Grazing(wo) || Grazing(wi)) return {};
-        const T length = HalfLength(wo, wi);
-        const Facet<T> facet = FacetTowards(wo, wi, length);
+        const Direction<T> m = Between(wo, wi);
+        if (!bend.MayHaveNormal(m)) return {};
+        const T length = std::sqrt(Dot(m, m));
+        const Facet<T> facet = FacetTowards(m, length);
         if (!Sees(row, bend, wo, facet) || !Sees(row, bend, wi, facet)) return {};
         Spectrum f;
         const T scale = FacetDensity(row, bend, facet) / (4 * std::abs(wo.z));
@@ -155,20 +157,22 @@ class Barbule {
 
     /// Density of wi among the mirror directions of the facets that wo sees, 1/sr.
     [[gnu::noinline]] T MirrorDensity(Direction<T> wo, Direction<T> wi) const {
-        const Facet<T> facet = FacetTowards(wo, wi, HalfLength(wo, wi));
+        const Direction<T> m = Between(wo, wi);
+        if (!bend.MayHaveNormal(m)) return 0;
+        const Facet<T> facet = FacetTowards(m, std::sqrt(Dot(m, m)));
         if (!Sees(row, bend, wo, facet)) return 0;
         return FacetDensity(row, bend, facet) / (4 * std::abs(wo.z));
     }
 
-    /// The facet that mirrors wo into wi; at the pole, where nothing is seen, if the two are
-    /// opposite and their sum has no direction that could be trusted.
-    Facet<T> FacetTowards(Direction<T> wo, Direction<T> wi, T length) const {
-        if (length < 16 * std::numeric_limits<T>::epsilon()) return {};
-        return FacetWithNormal(row, {wo.x + wi.x, wo.y + wi.y, wo.z + wi.z}, length);
+    /// Along the normal that mirrors wo into wi.
+    static Direction<T> Between(Direction<T> wo, Direction<T> wi) {
+        return {wo.x + wi.x, wo.y + wi.y, wo.z + wi.z};
     }
-    static T HalfLength(Direction<T> wo, Direction<T> wi) {
-        const Direction<T> m{wo.x + wi.x, wo.y + wi.y, wo.z + wi.z};
-        return std::sqrt(Dot(m, m));
+    /// The facet with the normal m = Between(wo, wi); at the pole, where nothing is seen, if the
+    /// two are opposite and their sum has no direction that could be trusted.
+    Facet<T> FacetTowards(Direction<T> m, T length) const {
+        if (length < 16 * std::numeric_limits<T>::epsilon()) return {};
+        return FacetWithNormal(row, m, length);
     }
 
     /// p_t: the share of TRT in what a flat film of random thickness would return, by the
@@ -176,9 +180,10 @@ class Barbule {
     /// better than the vane does (at 85 degrees TRT returns 2 to 15 % of the light, the flat film
     /// 0.5 %), so that cosine is the least.
     T PigmentChance(T cosine) const {
-        const T surface = meanFilm.SurfaceReflectance(std::clamp(cosine, T(0.35), T(1)));
-        const T rho = 2 * surface / (1 + surface), tau = meanMelanin * (1 - rho) * (1 - rho);
-        return tau > 0 ? tau / (tau + rho) : T(0);
+        const auto [rho, through] = averageFilm.At(std::clamp(cosine, T(0.35), T(1)));
+        // Both times the square of rho + through.
+        const T tau = meanMelanin * through * through, reflected = rho * (rho + through);
+        return tau > 0 ? tau / (tau + reflected) : T(0);
     }
 
     /// The lobes for TRT are cosines about the vane's normal on wo's side, about the mean visible
@@ -212,8 +217,8 @@ class Barbule {
     Direction<T> MeanNormal(Direction<T> wo) const {
         const Direction<T> vane{0, 0, std::copysign(T(1), wo.z)};
         if (std::abs(wo.z) < kGrazing) return vane;
-        const Segment<T> a = bend.Sample(wo, T(0.5));
-        const RowView<T> seen = row.SeenFrom(a.Across(wo));
+        const auto [a, along] = bend.MiddleSeenFrom(wo);
+        const RowView<T> seen = row.SeenFrom({along, wo.x});
         const Planar<T> from = seen.PointAt(seen.lower), to = seen.PointAt(seen.upper);
         const Planar<T> n = row.FromAxes({to.x - from.x, row.Aspect() * (from.n - to.n)});
         return Normalized({n.x, n.n * a.sin, n.n * a.cos}, vane);
@@ -238,7 +243,7 @@ class Barbule {
     std::array<Film<T>, N> films;
     Spectrum melanin;
     T meanMelanin;
-    Film<T> meanFilm;  ///< of the mean index; its thickness does not matter
+    AverageFilm<T> averageFilm;  ///< of the mean index
 };
 
 }  // namespace pbrt::feather

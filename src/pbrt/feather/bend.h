@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <concepts>
+#include <limits>
 #include <optional>
 
 #include "arc.h"
@@ -58,6 +59,13 @@ class Bend {
                sinXi * std::abs(w.y) <= std::abs(w.z) * (1 + cosXi);
     }
 
+    /// False only if no facet of the arc has a normal along m (of any length): most pairs of
+    /// directions end here, before anything is divided. A little too wide, for rounding.
+    bool MayHaveNormal(Direction<T> m) const {
+        constexpr T slack = 1 + 8 * std::numeric_limits<T>::epsilon();
+        return m.y * m.y <= slack * sinOpening * sinOpening * (m.y * m.y + m.z * m.z);
+    }
+
     /// The bend angles that w sees.
     Interval<T> SeenFrom(Direction<T> w) const {
         const T absY = std::abs(w.y), absZ = std::abs(w.z);
@@ -83,6 +91,19 @@ class Bend {
         return {middle - half, middle + half};
     }
 
+    /// The segment that halves what w, w.z != 0, sees of the arc: Sample's for u = 1/2.
+    struct Middle {
+        Segment<T> segment;
+        T along;  ///< segment.Across(w).n
+    };
+    Middle MiddleSeenFrom(Direction<T> w) const {
+        const T absY = std::abs(w.y), absZ = std::abs(w.z);
+        const T s = absY * cosOpening, h = absY * sinOpening, c = std::sqrt(absZ * absZ + h * h);
+        const T scale = 1 / (absY * absY + absZ * absZ);
+        return {{Side(w) * (absY * c - absZ * s) * scale, (absZ * c + absY * s) * scale},
+                std::copysign(c, w.z)};
+    }
+
     /// Draws a segment in proportion to its weight for w, w.z != 0, from u in [0, 1).
     Segment<T> Sample(Direction<T> w, T u) const {
         // In turns of (|w.z|, |w.y|) = r (cos t, sin t): s = r sin(t - a'), here from a' = opening.
@@ -93,7 +114,8 @@ class Bend {
         const T ds = 2 * absZ * sinOpening * u, s = s0 + ds;
         // sqrt(r^2 - s^2), from the sum that does not cancel
         const T c = std::sqrt(std::max(T(0), c0 * c0 - ds * (s0 + s)));
-        return {Side(w) * (absY * c - absZ * s) / rSqr, (absZ * c + absY * s) / rSqr};
+        const T scale = 1 / rSqr;
+        return {Side(w) * (absY * c - absZ * s) * scale, (absZ * c + absY * s) * scale};
     }
 
   private:

@@ -25,10 +25,13 @@ Facet<T> FacetWithNormal(const Row<T> &row, Direction<T> m, T length) {
     constexpr T pole = sizeof(T) > sizeof(float) ? T(1e-12) : T(1e-6);
     const T yz = std::sqrt(m.y * m.y + m.z * m.z);
     if (!(yz > pole * length)) return {{0, 1}, {0, 0}, 0, 0};
-    const T s = std::copysign(T(1), m.z), scale = 1 / length;
+    const T s = std::copysign(T(1), m.z), scale = 1 / length, across = 1 / yz;
     const Planar<T> phi = row.ToAxes({s * yz * scale, m.x * scale});
     const Planar<T> point{row.Aspect() * phi.n, phi.x};
-    return {{s * m.y / yz, std::abs(m.z) / yz}, point, std::sqrt(Dot(point, point)), yz * scale};
+    return {{s * m.y * across, std::abs(m.z) * across},
+            point,
+            std::sqrt(Dot(point, point)),
+            yz * scale};
 }
 
 /// The unit normal of the facet at the point e of the circle, on the given segment.

@@ -55,7 +55,9 @@ class Row {
           aspect(aspect),
           cosTilt(std::cos(tilt.value)),
           sinTilt(std::sin(tilt.value)),
-          step{spacing * sinTilt / aspect, spacing * cosTilt},
+          inverseAspect(1 / aspect),
+          stride(spacing / aspect),
+          step{stride * sinTilt, spacing * cosTilt},
           stepSqr(Dot(step, step)),
           midSlope(std::sqrt(std::max(T(0), 1 / stepSqr - T(0.25)))) {}
 
@@ -80,11 +82,11 @@ class Row {
     /// squared) and cut [-1, 1] at +-|D|/2 - s z sqrt(1/|v|^2 - 1/4); else the one in front hides
     /// all that it overlaps, and |D| is left at the other end.
     [[gnu::always_inline]] RowView<T> SeenFrom(Planar<T> w) const {
-        const Planar<T> axes = ToAxes(w), image{axes.n / aspect, axes.x};
+        const Planar<T> axes = ToAxes(w), image{axes.n * inverseAspect, axes.x};
         const T reach = std::sqrt(Dot(image, image));
         const T scale = 1 / std::max(reach, kNoReach);
         const Planar<T> u{image.n * scale, image.x * scale};
-        const T d = spacing / aspect * w.n * scale;
+        const T d = stride * w.n * scale;
         const T shift = std::abs(d), z = std::copysign(T(1), d) * Dot(step, u);
         const T middle = -midSlope * z;
         // Selected, not branched to: the loops over segments run in vector registers.
@@ -121,9 +123,10 @@ class Row {
     static constexpr T kNoReach = T(1e-18);
 
     T spacing, aspect, cosTilt, sinTilt;
-    Planar<T> step;  ///< from one circle to the next
-    T stepSqr;       ///< its squared length, L^2
-    T midSlope;      ///< sqrt(1/L^2 - 1/4), or 0
+    T inverseAspect, stride;  ///< 1 / aspect, spacing / aspect
+    Planar<T> step;           ///< from one circle to the next
+    T stepSqr;                ///< its squared length, L^2
+    T midSlope;               ///< sqrt(1/L^2 - 1/4), or 0
 };
 
 }  // namespace pbrt::feather

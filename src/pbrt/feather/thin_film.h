@@ -92,16 +92,6 @@ struct Film {
         return T(0.5) * i.y * o.y * (s + p) / (s * p);
     }
 
-    /// Unpolarised Fresnel reflectance of the film's upper surface alone.
-    T SurfaceReflectance(T cosine) const {
-        const T inside = std::sqrt(excess + cosine * cosine);  // eta cos(angle in the film)
-        if (inside == 0) return limit;
-        const T scaled = inside * invEtaSqr;
-        const T s = (cosine - inside) / (cosine + inside);
-        const T p = (cosine - scaled) / (cosine + scaled);
-        return (s * s + p * p) / 2;
-    }
-
   private:
     struct Terms {
         Polarised<T> x;  ///< X of either polarisation
@@ -138,6 +128,29 @@ struct Film {
     static T Share(T part, T rest, T limit) {
         const T sum = part + rest;
         return sum > 0 ? part / sum : limit;
+    }
+};
+
+/// Films of one index and all thicknesses.
+template <std::floating_point T>
+struct AverageFilm {
+    T excess, invEtaSqr;  ///< eta^2 - 1, 1 / eta^2
+
+    explicit AverageFilm(T eta) : excess((eta - 1) * (eta + 1)), invEtaSqr(1 / (eta * eta)) {}
+
+    /// Unpolarised power, reflected : transmitted = 2F/(1+F) : (1-F)/(1+F), with F Fresnel's
+    /// reflectance of one surface; both times a factor, so that nothing is divided.
+    struct Shares {
+        T reflected, transmitted;
+    };
+    Shares At(T cosine) const {
+        const T inside = std::sqrt(excess + cosine * cosine);  // eta cos(angle in the film)
+        const T scaled = inside * invEtaSqr;
+        const T s = (cosine - inside) * (cosine + scaled),
+                p = (cosine - scaled) * (cosine + inside);
+        const T sum = (cosine + inside) * (cosine + scaled);
+        const T F = s * s + p * p, whole = 2 * sum * sum;
+        return {2 * F, whole - F};
     }
 };
 
