@@ -2,13 +2,11 @@
 // both directions uniform on the upper hemisphere. Prints nanoseconds and multiples of sinf's time.
 //   bench_feather [rounds, default 200]
 
-#include <complex>
 #include <cstdio>
 #include <cstdlib>
 
 #include "bench/stopwatch.h"
 #include "feather/model.h"
-#include "oracle/complex_airy.h"
 
 namespace pbrt::bench {
 namespace {
@@ -16,18 +14,6 @@ namespace {
 using namespace feather;
 
 constexpr int kCalls = 2000;
-
-/// S-eq.1 as it stands, in complex float.
-float ComplexReflectance(float lambda, float thickness, float eta, float c) {
-    const float inside = std::sqrt(1 - (1 - c * c) / (eta * eta));
-    const std::complex<float> turn =
-        std::polar(1.f, 4 * std::numbers::pi_v<float> * thickness * eta * inside / lambda);
-    const auto power = [&](float outer, float inner) {
-        const float r = (outer - inner) / (outer + inner), tt = 1 - r * r;
-        return std::norm(r - tt * r * turn / (1.f - r * r * turn));
-    };
-    return (power(c, eta * inside) + power(eta * c, inside)) / 2;
-}
 
 struct Pairs {
     std::vector<Direction<float>> wo, wi;
@@ -58,12 +44,6 @@ void AddFilm(Stopwatch &watch, const Pairs &pairs) {
     const Film<float> film({550}, {590}, 1.55f);
     watch.Add("film", kCalls,
               Over(pairs, [film](const Pairs &p, int i) { return film.Reflectance(p.number[i]); }));
-    watch.Add("complex film, double", kCalls, Over(pairs, [](const Pairs &p, int i) {
-                  return oracle::Unpolarised<oracle::AirySum>({550, 590, 1.55}, p.number[i]).r;
-              }));
-    watch.Add("complex film, float", kCalls, Over(pairs, [](const Pairs &p, int i) {
-                  return ComplexReflectance(550, 590, 1.55f, p.number[i]);
-              }));
 }
 
 void AddModel(Stopwatch &watch, const Pairs &pairs) {
@@ -173,9 +153,8 @@ void Run(int rounds) {
 
     const double sinf = watch.Nanoseconds("sinf");
     std::printf("%-26s %7s %6s\n", "", "ns", "/ sinf");
-    for (const char *name :
-         {"sinf", "film", "complex film, float", "complex film, double", "f", "R", "PDF",
-          "PDF, view given", "Sample without f", "gap, spacing 2.5", "make a Barbule"})
+    for (const char *name : {"sinf", "film", "f", "R", "PDF", "PDF, view given", "Sample without f",
+                             "gap, spacing 2.5", "make a Barbule"})
         std::printf("%-26s %7.1f %6.1f\n", name, watch.Nanoseconds(name),
                     watch.Nanoseconds(name) / sinf);
     std::printf("\nTRT by quadrature (points x segments); error rms / mean in %%\n");

@@ -14,7 +14,9 @@ TEST_F(Bench, TellsTimesAndErrors) {
     std::ifstream csv(Path("b.csv"));
     std::string line;
     std::getline(csv, line);
-    EXPECT_EQ(line, "name,f_ns,pdf_ns,sample_ns,sample_without_f_ns,trt_light_error,trt_f_error");
+    EXPECT_EQ(line,
+              "name,f_ns,pdf_ns,sample_ns,sample_without_f_ns,trt_light_error,trt_f_error,"
+              "film_error,R_error,pdf_error,T_error");
     std::vector<std::string> names;
     while (std::getline(csv, line)) {
         names.push_back(line.substr(1, line.find('"', 1) - 1));
@@ -25,8 +27,9 @@ TEST_F(Bench, TellsTimesAndErrors) {
     ASSERT_GE(names.size(), 4u);
     EXPECT_EQ(names[0], "featherbarbule");
     EXPECT_EQ(names[1], "sinf");
-    EXPECT_EQ(std::count(names.begin(), names.end(), "conductor, GGX 0.3"), 1);
-    EXPECT_EQ(std::count(names.begin(), names.end(), "adaptive (renders)"), 1);
+    for (const char *name : {"hair", "conductor, GGX 0.3", "film, real numbers",
+                             "film, complex series", "adaptive (renders)"})
+        EXPECT_EQ(std::count(names.begin(), names.end(), name), 1) << name;
 }
 
 TEST_F(Bench, OtherMaterialsHaveTimesOnly) {
@@ -49,6 +52,13 @@ TEST_F(Bench, ErrorsFallWithTheOrder) {
     EXPECT_LT(error("Gauss, 16 in e"), error("Gauss, 4 in e") / 5);
     // The issue's target for the default.
     EXPECT_LT(error("adaptive (renders)"), 0.005);
+}
+
+TEST_F(Bench, RealFilmIsNoWorseThanTheSeries) {
+    const auto cases = FilmCases();
+    ASSERT_EQ(cases.size(), 2u);
+    EXPECT_LT(*cases[0].row.filmError, 1e-6);
+    EXPECT_LE(*cases[0].row.filmError, *cases[1].row.filmError);
 }
 
 TEST_F(Bench, PartsAreAsExactAsFloat) {

@@ -3,18 +3,20 @@
 #include <gtest/gtest.h>
 
 #include "bxdf/bxdf_case.h"
+#include "feather/model.h"
 #include "pbrt/bxdfs/coated_diffuse.h"
 #include "pbrt/bxdfs/conductor.h"
 #include "pbrt/bxdfs/dielectric.h"
 #include "pbrt/bxdfs/diffuse.h"
 #include "pbrt/bxdfs/diffuse_transmission.h"
+#include "pbrt/bxdfs/feather_barbule.h"
 #include "pbrt/bxdfs/hair.h"
 
 namespace pbrt::test {
 
 /// Every BxDF there is.
 using BxDFTypes = testing::Types<DiffuseBxDF, ConductorBxDF, DielectricBxDF, HairBxDF,
-                                 DiffuseTransmissionBxDF, CoatedDiffuseBxDF>;
+                                 DiffuseTransmissionBxDF, CoatedDiffuseBxDF, FeatherBarbuleBxDF>;
 
 inline SampledSpectrum Spectral(float a, float b, float c, float d) {
     return SampledSpectrum(std::array<float, 4>{a, b, c, d});
@@ -103,6 +105,23 @@ inline std::vector<BxDFCase<HairBxDF>> CasesOf() {
             hair("sharp along", 0.7f, 0.01f, 0.6f, 10, none, 0.05f),
             hair("black", 0.4f, 0.3f, 0.3f, 2, SampledSpectrum(1e6f)),
             hair("edge", 1, 0.2f, 0.3f, 2, brown)};
+}
+
+template <>
+inline std::vector<BxDFCase<FeatherBarbuleBxDF>> CasesOf() {
+    const auto feather = [](const char *name, const feather::Shape &shape,
+                            const feather::Optics<float, 4> &optics = feather::Feather<float>()) {
+        return BxDFCase<FeatherBarbuleBxDF>{
+            name, FeatherBarbuleBxDF(feather::BarbuleOf<float>(shape, optics))};
+    };
+    feather::Optics<float, 4> pigment = feather::Feather<float>(), film = pigment;
+    pigment.eta.fill(1);
+    pigment.melanin.fill(1);
+    film.melanin.fill(0);
+    return {feather("default", {}), feather("round, intersecting", {.aspect = 1}),
+            feather("sparse, film alone", {.spacing = 2.5}, film),
+            feather("steep, strongly bent", {.spacing = 2.5, .tilt = -0.8, .opening = 0.9}),
+            feather("pigment alone", {.spacing = 1.9, .opening = 0.3}, pigment)};
 }
 
 }  // namespace pbrt::test

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "bxdf/kronecker.h"
 #include "pbrt/bxdfs/hair_absorption.h"
 #include "pbrt/util/rng.h"
 #include "pbrt/util/sampling.h"
@@ -16,20 +17,7 @@ constexpr float kEta = 1.55f;
 constexpr float kTilts[]{0, 2, -5};
 constexpr float kOdd[]{0.1f, 0.3f, 0.5f, 0.7f, 0.9f};
 constexpr TransportMode kMode = TransportMode::Radiance;
-
-/// Five evenly spread numbers per index: multiples of powers of the plastic-like root of
-/// x^6 = x + 1 (Roberts 2018).
-struct Kronecker {
-    double u[5];
-    explicit Kronecker(int i) {
-        double step = 1;
-        for (double &x : u) {
-            step /= 1.1347241384015194;
-            x = std::fmod(0.5 + (i + 1) * step, 1.0);
-        }
-    }
-    float operator[](int k) const { return std::min(float(u[k]), OneMinusEpsilon); }
-};
+using test::Kronecker;
 
 float AcrossFibre(float u) {
     return std::clamp(2 * u - 1, -0.999999f, 0.999999f);

@@ -8,11 +8,9 @@
 namespace pbrt::bsdftool {
 namespace {
 
-/// Other materials timed in the same run, where they exist.
-constexpr std::array<std::array<std::string_view, 3>, 2> kYardsticks{
-    {{"hair", "hair", "Material \"hair\""},
-     {"conductor", "conductor, GGX 0.3",
-      "Material \"conductor\" \"float roughness\" 0.3 \"bool remaproughness\" false"}}};
+/// Timed in the same run.
+constexpr std::string_view kConductor =
+    "Material \"conductor\" \"float roughness\" 0.3 \"bool remaproughness\" false";
 
 struct Options {
     CommonOptions common;
@@ -29,7 +27,7 @@ std::optional<Outcome> ParseOptions(Args args, Options *o) {
         "uniform on the upper hemisphere, the fastest of several runs), beside other materials and "
         "sinf. For featherbarbule also the time of Sample_f without f, time and error of each "
         "quadrature of TRT, and the errors of R, PDF and T, all against double precision with a "
-        "converged quadrature.",
+        "converged quadrature, and a film's reflectance beside the complex series.",
         "bsdftool bench");
     AddMaterial(&app, &o->common);
     app.add_option("--rounds", o->rounds,
@@ -42,14 +40,10 @@ std::optional<Outcome> ParseOptions(Args args, Options *o) {
 }
 
 std::vector<BenchCase> Yardsticks() {
-    std::vector<BenchCase> cases{SineCase()};
-    const std::vector<std::string_view> known = MaterialNames();
-    for (const auto &[type, name, text] : kYardsticks) {
-        if (std::find(known.begin(), known.end(), type) == known.end()) continue;
-        Diagnostics log;
-        if (const auto source = ReadMaterial(std::string(text), "", log))
-            cases.push_back(CaseOf(std::string(name), source->material));
-    }
+    std::vector<BenchCase> cases{SineCase(), HairCase()};
+    Diagnostics log;
+    if (const auto source = ReadMaterial(std::string(kConductor), "", log))
+        cases.push_back(CaseOf("conductor, GGX 0.3", source->material));
     return cases;
 }
 
@@ -80,10 +74,12 @@ std::string Csv(const std::vector<BenchCase> &cases) {
         return value ? fmt::format(",{:.6g}", *value) : std::string(",");
     };
     std::string csv =
-        "name,f_ns,pdf_ns,sample_ns,sample_without_f_ns,trt_light_error,trt_f_error\n";
+        "name,f_ns,pdf_ns,sample_ns,sample_without_f_ns,trt_light_error,trt_f_error,film_error,"
+        "R_error,pdf_error,T_error\n";
     for (const auto &[r, timers] : cases)
         csv += fmt::format("\"{}\"", r.name) + cell(r.f) + cell(r.pdf) + cell(r.sample) +
-               cell(r.draw) + cell(r.lightError) + cell(r.fError) + "\n";
+               cell(r.draw) + cell(r.lightError) + cell(r.fError) + cell(r.filmError) +
+               cell(r.partR) + cell(r.partPdf) + cell(r.partT) + "\n";
     return csv;
 }
 
@@ -105,6 +101,15 @@ std::string Describe(const PartErrors &e) {
         e.R, e.lit, e.pdf, e.gap);
 }
 
+std::string DescribeFilms(const std::vector<BenchCase> &cases) {
+    std::string text;
+    for (const auto &[r, timers] : cases)
+        if (r.filmError)
+            text += fmt::format("{}: largest error {:.2g} up to 89.4 degrees and 2 um\n", r.name,
+                                *r.filmError);
+    return text;
+}
+
 }  // namespace
 
 Outcome RunBench(Args args) {
@@ -121,11 +126,19 @@ Outcome RunBench(Args args) {
     };
     add(Yardsticks());
     const auto *barbule = std::get_if<FeatherBarbuleMaterial>(&source->material);
-    if (barbule) add(QuadratureCases(*barbule, o.pairs));
+    PartErrors parts;
+    if (barbule) {
+        add(FilmCases());
+        add(QuadratureCases(*barbule, o.pairs));
+        parts = MeasureParts(*barbule, kPairsForParts * o.pairs);
+        cases[0].row.partR = parts.R;
+        cases[0].row.partPdf = parts.pdf;
+        cases[0].row.partT = parts.gap;
+    }
     RunTimers(cases, o.rounds);
     WriteText(o.csv, Csv(cases), log);
     std::string text = Table(cases) + Ratios(cases[0].row, cases[1].row);
-    if (barbule) text += Describe(MeasureParts(*barbule, kPairsForParts * o.pairs));
+    if (barbule) text += Describe(parts) + DescribeFilms(cases);
     return Finish(log, std::move(text));
 }
 

@@ -4,30 +4,34 @@
 
 #include "pbrt/bsdftool/bench_model.h"
 #include "pbrt/bsdftool/spectral_bsdf.h"
+#include "pbrt/bxdfs/hair.h"
 
 namespace pbrt::bsdftool {
 namespace {
 
 constexpr auto kMode = TransportMode::Radiance;
 
+template <typename B>
+void AddTimers(const B &bsdf, BenchCase *c) {
+    c->timers.push_back({&BenchRow::f, Pass([bsdf](const BenchInput &in) {
+                             return bsdf.f(in.wo, in.wi, kMode).Average();
+                         })});
+    c->timers.push_back({&BenchRow::pdf, Pass([bsdf](const BenchInput &in) {
+                             return bsdf.PDF(in.wo, in.wi, kMode);
+                         })});
+    c->timers.push_back({&BenchRow::sample, Pass([bsdf](const BenchInput &in) {
+                             const auto s = bsdf.Sample_f(in.wo, in.uc, in.u, kMode);
+                             return s ? s->f.Average() + s->pdf + s->wi.x : 0;
+                         })});
+}
+
 }  // namespace
 
 BenchCase CaseOf(const std::string &name, const Material &material) {
     BenchCase c;
     c.row.name = name;
-    WithSpectralBSDF(material, {kBenchLambda.begin(), kBenchLambda.end()}, [&](auto spectral) {
-        const auto bsdf = spectral.parts[0].bsdf;
-        c.timers.push_back({&BenchRow::f, Pass([bsdf](const BenchInput &in) {
-                                return bsdf.f(in.wo, in.wi, kMode).Average();
-                            })});
-        c.timers.push_back({&BenchRow::pdf, Pass([bsdf](const BenchInput &in) {
-                                return bsdf.PDF(in.wo, in.wi, kMode);
-                            })});
-        c.timers.push_back({&BenchRow::sample, Pass([bsdf](const BenchInput &in) {
-                                const auto s = bsdf.Sample_f(in.wo, in.uc, in.u, kMode);
-                                return s ? s->f.Average() + s->pdf + s->wi.x : 0;
-                            })});
-    });
+    WithSpectralBSDF(material, {kBenchLambda.begin(), kBenchLambda.end()},
+                     [&](auto spectral) { AddTimers(spectral.parts[0].bsdf, &c); });
     if (const auto *barbule = std::get_if<FeatherBarbuleMaterial>(&material)) {
         const auto model = BenchModel<FeatherBarbuleBxDF::Model>(*barbule);
         c.timers.push_back({&BenchRow::draw, Pass([model](const BenchInput &in) {
@@ -36,6 +40,13 @@ BenchCase CaseOf(const std::string &name, const Material &material) {
                                 return s ? s->pdf + s->wi.x : 0;
                             })});
     }
+    return c;
+}
+
+BenchCase HairCase() {
+    BenchCase c;
+    c.row.name = "hair";
+    AddTimers(HairBxDF(0.3f, 1.55f, SampledSpectrum(0.5f), 0.3f, 0.3f, 2), &c);
     return c;
 }
 

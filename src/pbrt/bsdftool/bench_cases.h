@@ -7,6 +7,11 @@ namespace pbrt::bsdftool {
 
 /// f, PDF and Sample_f of any material, and of featherbarbule Sample_f without f.
 BenchCase CaseOf(const std::string &name, const Material &material);
+/// f, PDF and Sample_f of a hair with its default parameters.
+BenchCase HairCase();
+/// Reflectance of one film at one wavelength, as f, by the model's real arithmetic and by S-eq.1 in
+/// complex numbers, both in float, with errors against double.
+std::vector<BenchCase> FilmCases();
 /// One sinf, as f: the yardstick between machines.
 BenchCase SineCase();
 /// f of featherbarbule with each quadrature of TRT that there is, the renderer's first, with the

@@ -30,6 +30,8 @@ struct BenchRow {
     /// rms errors of TRT over pairs of directions of the upper hemisphere, relative to its mean: of
     /// the light in it (times both cosines, what a picture sees), and of f.
     std::optional<double> lightError, fError;
+    std::optional<double> filmError;              ///< largest, absolute, of a film's reflectance
+    std::optional<double> partR, partPdf, partT;  ///< as PartErrors
 };
 
 /// What is to be timed for a row: `pass` runs once over the inputs and returns ns per call.

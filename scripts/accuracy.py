@@ -1,0 +1,168 @@
+"""Plots and tables of docs/ACCURACY.md from docs/accuracy/*.csv; called by accuracy.sh."""
+
+import csv
+import pathlib
+import re
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+
+DOCS = pathlib.Path(__file__).resolve().parent.parent / "docs"
+DEFAULT = "adaptive (renders)"
+
+
+def read(name):
+    with open(DOCS / "accuracy" / f"{name}.csv", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def number(row, column):
+    return float(row[column]) if row.get(column) else None
+
+
+def cell(value, digits):
+    return "" if value is None else f"{value:.{digits}f}"
+
+
+def markdown(head, rows):
+    lines = [head, ["---"] * len(head), *rows]
+    return "\n".join("| " + " | ".join(line) + " |" for line in lines)
+
+
+def times(bench):
+    sine = number(bench["sinf"], "f_ns")
+    rows = []
+    for name in ["featherbarbule", "hair", "conductor, GGX 0.3", "film, real numbers",
+                 "film, complex series", "sinf"]:
+        row = bench[name]
+        rows.append([name])
+        for column in ["f_ns", "pdf_ns", "sample_ns", "sample_without_f_ns"]:
+            ns = number(row, column)
+            rows[-1].append("" if ns is None else f"{ns:.1f} ({ns / sine:.1f})")
+    return markdown(["", "f, ns (times sinf)", "PDF", "Sample_f", "Sample_f without f"], rows)
+
+
+def is_quadrature(row):
+    return bool(row["trt_light_error"]) and row["name"] != "featherbarbule"
+
+
+def quadratures(bench, others):
+    rows = []
+    for name, row in bench.items():
+        if not is_quadrature(row):
+            continue
+        percent = [100 * number(row, "trt_light_error"), 100 * number(row, "trt_f_error")]
+        percent += [100 * number(other[name], "trt_light_error") for other in others]
+        rows.append([name, cell(number(row, "f_ns"), 0), *(f"{p:.3f}" for p in percent)])
+    return markdown(["rule", "f, ns", "light, %", "f, %", "light, d = 2 um", "light, opening 0.6"],
+                    rows)
+
+
+def targets(bench, sparse):
+    model, sine = bench["featherbarbule"], number(bench["sinf"], "f_ns")
+    rule, hair = bench[DEFAULT], bench["hair"]
+    real, series = bench["film, real numbers"], bench["film, complex series"]
+    f = number(model, "f_ns")
+    part_R = max(number(model, "R_error"), number(sparse["featherbarbule"], "R_error"))
+    part_T = max(number(model, "T_error"), number(sparse["featherbarbule"], "T_error"))
+    speedup = number(series, "f_ns") / number(real, "f_ns")
+    no_worse = number(real, "film_error") <= number(series, "film_error")
+    light, unweighted = number(rule, "trt_light_error"), number(rule, "trt_f_error")
+    lines = [
+        ("f, times sinf", "<= 90", f / sine, f / sine <= 90),
+        ("PDF, times sinf", "<= 8", number(model, "pdf_ns") / sine, None),
+        ("Sample_f without f, times sinf", "<= 27", number(model, "sample_without_f_ns") / sine,
+         None),
+        ("f, times f of hair", "<= 1", f / number(hair, "f_ns"), None),
+        ("R, largest relative error away from edges", "<= 1e-5", part_R, None),
+        ("T, largest error (default and spacing 2.5)", "<= 1e-5", part_T, None),
+        ("TRT, rms error over mean, of light, %", "<= 0.5", 100 * light, None),
+        ("TRT, rms error over mean, of f, %", "<= 0.5", 100 * unweighted, None),
+        ("film, times faster than the complex series", ">= 5", speedup, speedup >= 5),
+        ("film, its error over the series'", "<= 1",
+         number(real, "film_error") / number(series, "film_error"), no_worse),
+    ]
+    rows = []
+    for what, bound, value, met in lines:
+        met = value <= float(bound.split()[1]) if met is None else met
+        rows.append([what, bound, f"{value:.3g}", "yes" if met else "**no**"])
+    return markdown(["target", "bound", "measured", "met"], rows)
+
+
+def sampling(rows):
+    spp = sorted({int(row["spp"]) for row in rows})
+    ways = list(dict.fromkeys(row["way"] for row in rows))
+    table = []
+    for way in ways:
+        mine = {int(r["spp"]): r for r in rows if r["way"] == way}
+        table.append([way] + [f'{float(mine[n]["rms_error"]):.3f} in {float(mine[n]["seconds"]):.2f} s'
+                              for n in spp])
+    return markdown(["rms error / mean, processor time"] + [f"{n} spp" for n in spp], table)
+
+
+def save(figure, name):
+    figure.tight_layout()
+    figure.savefig(DOCS / "images" / f"{name}.png", dpi=110, metadata={"Software": None})
+    plt.close(figure)
+
+
+def plot_quadratures(bench):
+    figure, axes = plt.subplots(figsize=(7.2, 4.4))
+    families = [("Gauss, ", "plain Gauss-Legendre", "s"), ("segments", "lanes of segments", "o"),
+                (DEFAULT, "adaptive: the default", "*")]
+    for key, label, marker in families:
+        rows = [r for r in bench.values() if is_quadrature(r) and key in r["name"]]
+        x = [number(r, "f_ns") for r in rows]
+        y = [100 * number(r, "trt_light_error") for r in rows]
+        axes.plot(x, y, marker, label=label, markersize=13 if marker == "*" else 6)
+        for row, a, b in zip(rows, x, y):
+            name = row["name"].replace(" segments", "").replace("Gauss, ", "")
+            axes.annotate(name, (a, b), xytext=(6, 4), textcoords="offset points", fontsize=7)
+    axes.axhline(0.5, color="grey", linewidth=0.8, linestyle="--")
+    axes.text(axes.get_xlim()[1], 0.53, "target ", ha="right", fontsize=7, color="grey")
+    axes.set(xscale="log", yscale="log", xlabel="one f, four wavelengths (ns)",
+             ylabel="rms error of TRT light over its mean (%)",
+             title="Pigment return: error against time")
+    axes.legend()
+    save(figure, "accuracy-quadrature")
+
+
+def plot_sampling(rows):
+    figure, axes = plt.subplots(figsize=(7.2, 4.4))
+    for way, marker in zip(dict.fromkeys(r["way"] for r in rows), "os^"):
+        mine = [r for r in rows if r["way"] == way]
+        axes.plot([float(r["seconds"]) for r in mine], [float(r["rms_error"]) for r in mine],
+                  marker=marker, label=way)
+    axes.set(xscale="log", yscale="log", xlabel="processor time (s)",
+             ylabel="rms error over the picture's mean",
+             title="dove-swatch, 160 x 120: error against time")
+    axes.legend(title="feathers are sampled by")
+    axes.grid(which="both", linewidth=0.3)
+    save(figure, "accuracy-sampling")
+
+
+def fill(text, name, table):
+    """Replaces what stands between the marks of `name`."""
+    return re.sub(rf"(<!-- {name} -->\n).*?(\n<!-- end -->)", lambda m: m[1] + table + m[2], text,
+                  flags=re.S)
+
+
+def main():
+    bench = {row["name"]: row for row in read("default")}
+    sparse, thick, bent = ({row["name"]: row for row in read(n)} for n in ["sparse", "thick", "bent"])
+    rows = read("sampling")
+    plot_quadratures(bench)
+    plot_sampling(rows)
+    page = DOCS / "ACCURACY.md"
+    text = page.read_text()
+    for name, table in [("targets", targets(bench, sparse)), ("times", times(bench)),
+                        ("quadratures", quadratures(bench, [thick, bent])),
+                        ("sampling", sampling(rows))]:
+        text = fill(text, name, table)
+    page.write_text(text)
+
+
+if __name__ == "__main__":
+    main()
