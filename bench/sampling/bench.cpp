@@ -43,7 +43,7 @@ void RenderAlone(World &world) {
             PathTracer<SamplerT, Scattering> tracer(world, sampler, rays);
             for (int i = 0; i < b.Area(); ++i) {
                 const Point2i p{b.x0 + i % b.Width(), b.y0 + i / b.Width()};
-                RGBFilm::Pixel pixel;
+                Film::Pixel pixel;
                 for (int index = 0; index < sampler.SamplesPerPixel(); ++index) {
                     sampler.StartPixelSample(p, index);
                     auto lambda = SampledWavelengths::SampleVisible(sampler.Get1D());

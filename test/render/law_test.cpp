@@ -68,7 +68,7 @@ TEST(Render, DispersionKeepsTheMean) {
 TEST(Film, TerminatedWavelengthsDoNotCount) {
     Diagnostics log;
     Description scene;
-    RGBFilm film = RGBFilm::Create(scene, {}, log);
+    Film film = Film::Create(scene, {}, log);
     SampledWavelengths lambda = SampledWavelengths::SampleVisible(0.3f);
     const SampledSpectrum one(1.f);
     lambda.TerminateSecondary();

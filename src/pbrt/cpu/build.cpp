@@ -115,8 +115,10 @@ std::unique_ptr<World> BuildWorld(const Description &scene, const Overrides &ove
                                   Diagnostics &log) {
     auto world = std::make_unique<World>();
     world->options = scene.options;
-    world->film = RGBFilm::Create(scene, overrides.film, log);
+    world->film = Film::Create(scene, overrides.film, log);
     world->camera = Camera::Create(scene, world->film.FullResolution(), log);
+    world->film.SetSpaces(world->camera.RenderFromCamera().Inverse(),
+                          world->camera.RenderFromWorld().Inverse());
     world->film.SetExposure(world->camera.ShutterClose() - world->camera.ShutterOpen());
     ReadSampling(scene, overrides, *world, log);
     const IntegratorChoice integrator = ReadIntegrator(scene, log);

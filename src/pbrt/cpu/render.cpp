@@ -19,17 +19,17 @@ constexpr int kSamplesBetweenPolls = 4096;
 
 /// One pixel with all its samples; less where keepGoing() says no.
 template <typename SamplerT, typename F>
-RGBFilm::Pixel RenderPixel(const World &world, Point2i p, SamplerT &sampler, RayCounts &rays,
-                           const F &keepGoing) {
-    RGBFilm::Pixel pixel;
+Film::Pixel RenderPixel(const World &world, Point2i p, SamplerT &sampler, RayCounts &rays,
+                        const F &keepGoing) {
+    Film::Pixel pixel = world.film.NewPixel();
     PathTracer<SamplerT> tracer(world, sampler, rays);
     const int spp = sampler.SamplesPerPixel();
     for (int index = 0; index < spp; ++index) {
         if (index % kSamplesBetweenPolls == kSamplesBetweenPolls - 1 && !keepGoing()) break;
         sampler.StartPixelSample(p, index);
         const float uLambda = sampler.Get1D();
-        SampledWavelengths lambda = SampledWavelengths::SampleVisible(
-            world.options.disableWavelengthJitter ? 0.5f : uLambda);
+        SampledWavelengths lambda =
+            world.film.SampleWavelengths(world.options.disableWavelengthJitter ? 0.5f : uLambda);
         FilterSample fs = Sample(world.filter, sampler.GetPixel2D());
         float time = world.moves ? sampler.Get1D() : 0;
         Point2f lens = world.camera.HasLens() ? sampler.Get2D() : Point2f{0.5f, 0.5f};
@@ -38,10 +38,12 @@ RGBFilm::Pixel RenderPixel(const World &world, Point2i p, SamplerT &sampler, Ray
             time = 0.5f, lens = {0.5f, 0.5f};
         }
         const Point2f film{p.x + 0.5f + fs.p.x, p.y + 0.5f + fs.p.y};
-        SampledSpectrum L = tracer.Li(world.camera.GenerateRay(film, lens, time), lambda);
+        std::optional<VisibleSurface> seen;
+        SampledSpectrum L = tracer.Li(world.camera.GenerateRay(film, lens, time), lambda,
+                                      world.film.WantsSurface() ? &seen : nullptr);
         // Never seen in tests; a picture must not lose a pixel to one path.
         if (!L.IsFinite()) L = SampledSpectrum(0);
-        world.film.AddSample(&pixel, L, lambda, fs.weight);
+        world.film.AddSample(&pixel, L, lambda, fs.weight, seen ? &*seen : nullptr);
     }
     return pixel;
 }
@@ -75,15 +77,13 @@ std::optional<RenderStats> Render(World &world, int nThreads,
     };
     tbb::task_arena arena(nThreads > 0 ? nThreads : tbb::task_arena::automatic);
     arena.execute([&] {
-        tbb::parallel_for(
-            tbb::blocked_range2d<int>(b.y0, b.y1, kTileSize, b.x0, b.x1, kTileSize), renderTile,
-            tbb::simple_partitioner());
+        tbb::parallel_for(tbb::blocked_range2d<int>(b.y0, b.y1, kTileSize, b.x0, b.x1, kTileSize),
+                          renderTile, tbb::simple_partitioner());
     });
     if (stopped) return {};
     const int spp = std::visit([](const auto &s) { return s.SamplesPerPixel(); }, world.sampler);
     RenderStats stats;
-    stats.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    stats.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     stats.cameraSamples = b.Area() * spp;
     stats.rays = {closest, shadow};
     return stats;

@@ -41,7 +41,7 @@ struct World {
     std::optional<Accel> accel;
 
     Camera camera;
-    RGBFilm film;
+    Film film;
     Filter filter;
     Sampler sampler;
     PathSettings path;

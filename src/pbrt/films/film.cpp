@@ -7,18 +7,17 @@
 namespace pbrt {
 namespace {
 
-constexpr std::array<std::string_view, 1> kFilms{RGBFilm::kName};
+constexpr std::string_view kRGB = "rgb";
+constexpr std::array<std::string_view, 3> kFilms{kRGB, GBuffer::kName, SpectralBuckets::kName};
 constexpr std::array<std::string_view, 1> kSensors{"cie1931"};
 constexpr NumberRow kIso{"iso", "", 100, 1e-6f, 1e9f, "sensor speed"};
-constexpr NumberRow kMaxComponent{"maxcomponentvalue", "", Infinity, 0, Infinity,
+constexpr NumberRow kMaxComponent{"maxcomponentvalue",        "", Infinity, 0, Infinity,
                                   "largest value of a sample"};
 constexpr NumberRow kWhiteBalance{"whitebalance", "K", 0, 0, 25000, "0: none"};
 constexpr NumberRow kDiagonal{"diagonal", "mm", 35, 1e-6f, 1e6f, "of the film"};
 
 PixelBounds Crop(Point2i full, const std::array<float, 4> &c) {
-    const auto edge = [](float f, int n) {
-        return std::clamp(int(std::ceil(f * n)), 0, n);
-    };
+    const auto edge = [](float f, int n) { return std::clamp(int(std::ceil(f * n)), 0, n); };
     return {edge(c[0], full.x), edge(c[1], full.x), edge(c[2], full.y), edge(c[3], full.y)};
 }
 
@@ -47,8 +46,22 @@ PixelBounds ReadBounds(ParamDict &params, const FilmOverrides &overrides, Point2
     return bounds;
 }
 
-/// Matching curves in the film's RGB over the number of wavelength samples. Not over the integral of
-/// y: lights are (PBRT_FORMAT 2.10), so that a light of 1 gives a pixel of 1.
+std::string ReadFileName(ParamDict &params, const FilmOverrides &overrides, bool manyChannels) {
+    std::string name = params.GetOneString("filename", "pbrt.exr");
+    if (!overrides.outfile.empty()) name = overrides.outfile;
+    if (!CanWriteImage(name))
+        params.Error(
+            "filename",
+            fmt::format("cannot write \"{}\": the name must end in .exr, .png or .pfm", name));
+    else if (manyChannels && !name.ends_with(".exr"))
+        params.Error("filename", fmt::format("cannot write \"{}\": {} needs the many channels of "
+                                             ".exr",
+                                             name, params.What()));
+    return name;
+}
+
+/// Matching curves in the film's RGB over the number of wavelength samples. Not over the integral
+/// of y: lights are (PBRT_FORMAT 2.10), so that a light of 1 gives a pixel of 1.
 std::vector<std::array<float, 4>> Matching(const RGBColorSpace &space, float whiteBalance) {
     Matrix3 adapt{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     if (whiteBalance > 0) {
@@ -69,13 +82,12 @@ std::vector<std::array<float, 4>> Matching(const RGBColorSpace &space, float whi
 
 }  // namespace
 
-RGBFilm RGBFilm::Create(const Description &scene, const FilmOverrides &overrides,
-                        Diagnostics &log) {
-    const std::string type = scene.film.type.empty() ? std::string(kName) : scene.film.type;
+Film Film::Create(const Description &scene, const FilmOverrides &overrides, Diagnostics &log) {
+    const std::string type = scene.film.type.empty() ? std::string(kRGB) : scene.film.type;
     ParamDict params(scene.film.params, scene.film.loc, fmt::format("film \"{}\"", type),
                      scene.film.colorSpace, &log, scene.dir);
-    RGBFilm film;
-    if (type != kName) {
+    Film film;
+    if (std::find(kFilms.begin(), kFilms.end(), type) == kFilms.end()) {
         params.Error(UnknownName("film", type, kFilms));
         return film;
     }
@@ -84,12 +96,10 @@ RGBFilm RGBFilm::Create(const Description &scene, const FilmOverrides &overrides
     if (overrides.quick) full = {std::max(1, full.x / 4), std::max(1, full.y / 4)};
     film.fullResolution = full;
     film.bounds = ReadBounds(params, overrides, full);
-    film.fileName = params.GetOneString("filename", "pbrt.exr");
-    if (!overrides.outfile.empty()) film.fileName = overrides.outfile;
-    if (!CanWriteImage(film.fileName))
-        params.Error("filename", fmt::format("cannot write \"{}\": the name must end in .exr, .png "
-                                             "or .pfm",
-                                             film.fileName));
+    if (type == GBuffer::kName) film.further = GBuffer::Create(params);
+    if (type == SpectralBuckets::kName) film.further = SpectralBuckets::Create(params);
+    film.furtherChannels = film.NamesOfFurther();
+    film.fileName = ReadFileName(params, overrides, !film.furtherChannels.empty());
     film.colorSpace = scene.film.colorSpace;
     film.iso = params.GetOneFloat(kIso);
     film.maxComponentValue = params.GetOneFloat(kMaxComponent);
@@ -100,12 +110,15 @@ RGBFilm RGBFilm::Create(const Description &scene, const FilmOverrides &overrides
     if (white != 0 && white < 4000)
         params.Error("whitebalance", "\"whitebalance\" must be 0 or from 4000 to 25000 K");
     film.matching = Matching(*film.colorSpace, white);
+    const Spectrum &illuminant = film.colorSpace->Illuminant();
+    film.illuminant = illuminant.Scaled(1 / SpectrumToPhotometric(illuminant));
     film.pixels.resize(film.bounds.Area());
+    film.furtherValues.resize(film.pixels.size() * film.furtherChannels.size());
     params.ReportUnused();
     return film;
 }
 
-RGB RGBFilm::ToSensorRGB(SampledSpectrum L, const SampledWavelengths &lambda) const {
+SampledSpectrum::Lanes Film::Matched(SampledSpectrum L, const SampledWavelengths &lambda) const {
     using Lanes = SampledSpectrum::Lanes;
     const SampledSpectrum pdf = lambda.PDF();
     Lanes sum{};
@@ -118,30 +131,87 @@ RGB RGBFilm::ToSensorRGB(SampledSpectrum L, const SampledWavelengths &lambda) co
         const Lanes va{a[0], a[1], a[2], a[3]}, vb{b[0], b[1], b[2], b[3]};
         sum += (va + (vb - va) * t) * (L[i] / pdf[i]);
     }
-    sum *= imagingRatio;
+    return sum;
+}
+
+RGB Film::ToSensorRGB(SampledSpectrum L, const SampledWavelengths &lambda) const {
+    SampledSpectrum::Lanes sum = Matched(L, lambda) * imagingRatio;
     const float largest = std::max(sum[0], std::max(sum[1], sum[2]));
     if (largest > maxComponentValue) sum *= maxComponentValue / largest;
     return {sum[0], sum[1], sum[2]};
 }
 
-RGB RGBFilm::PixelRGB(Point2i p) const {
-    const Pixel &pixel = pixels[Index(p)];
+std::vector<std::string> Film::NamesOfFurther() const {
+    if (const auto *g = std::get_if<GBuffer>(&further)) return g->ChannelNames();
+    if (const auto *s = std::get_if<SpectralBuckets>(&further)) return s->ChannelNames();
+    return {};
+}
+
+Film::Pixel Film::NewPixel() const {
+    Pixel pixel;
+    if (const auto *g = std::get_if<GBuffer>(&further)) pixel.further = g->NewSums();
+    if (const auto *s = std::get_if<SpectralBuckets>(&further)) pixel.further = s->NewSums();
+    return pixel;
+}
+
+void Film::AddFurther(Pixel *pixel, SampledSpectrum L, const RGB &rgb,
+                      const SampledWavelengths &lambda, float weight,
+                      const VisibleSurface *surface) const {
+    if (auto *const sums = std::get_if<SpectralBuckets::Sums>(&pixel->further)) {
+        SampledSpectrum exposed = L * (imagingRatio * CIE_Y_integral);
+        const float largest = exposed.MaxComponentValue();
+        if (largest > maxComponentValue) exposed *= maxComponentValue / largest;
+        std::get<SpectralBuckets>(further).Add(sums, exposed, lambda, weight);
+    } else if (auto *const sums = std::get_if<GBuffer::Sums>(&pixel->further)) {
+        RGB albedo;
+        if (surface) {
+            const auto c = Matched(surface->albedo * illuminant.Sample(lambda), lambda);
+            albedo = {c[0], c[1], c[2]};
+        }
+        std::get<GBuffer>(further).Add(sums, rgb, weight, surface, albedo);
+    }
+}
+
+void Film::Store(Point2i p, const Pixel &pixel) {
+    Sum &sum = pixels[Index(p)];
+    std::copy(std::begin(pixel.rgb), std::end(pixel.rgb), sum.rgb);
+    sum.weight = pixel.weight;
+    float *const values = furtherValues.data() + Index(p) * furtherChannels.size();
+    if (const auto *sums = std::get_if<SpectralBuckets::Sums>(&pixel.further))
+        std::get<SpectralBuckets>(further).Write(*sums, values);
+    else if (const auto *sums = std::get_if<GBuffer::Sums>(&pixel.further))
+        std::get<GBuffer>(further).Write(*sums, values);
+}
+
+RGB Film::PixelRGB(Point2i p) const {
+    const Sum &pixel = pixels[Index(p)];
     if (pixel.weight == 0) return {};
     return {float(pixel.rgb[0] / pixel.weight), float(pixel.rgb[1] / pixel.weight),
             float(pixel.rgb[2] / pixel.weight)};
 }
 
-Image RGBFilm::ToImage() const {
-    Image image({bounds.Width(), bounds.Height()}, {"R", "G", "B"});
+Image Film::ToImage() const {
+    std::vector<std::string> channels{"R", "G", "B"};
+    channels.insert(channels.end(), furtherChannels.begin(), furtherChannels.end());
+    const int n = int(furtherChannels.size());
+    Image image({bounds.Width(), bounds.Height()}, std::move(channels));
     for (int y = bounds.y0; y < bounds.y1; ++y)
         for (int x = bounds.x0; x < bounds.x1; ++x) {
+            const Point2i at{x - bounds.x0, y - bounds.y0};
             const RGB rgb = PixelRGB({x, y});
-            for (int c = 0; c < 3; ++c) image.Set({x - bounds.x0, y - bounds.y0}, c, rgb[c]);
+            for (int c = 0; c < 3; ++c)
+                image.Set(at, c, rgb[c]);
+            const float *const values = furtherValues.data() + Index({x, y}) * size_t(n);
+            for (int c = 0; c < n; ++c)
+                image.Set(at, 3 + c, values[c]);
         }
     image.metadata.pixelBounds = {bounds.x0, bounds.x1, bounds.y0, bounds.y1};
     image.metadata.fullResolution = fullResolution;
     if (colorSpace != &RGBColorSpace::sRGB())
         image.metadata.chromaticities = colorSpace->Chromaticities();
+    if (std::holds_alternative<SpectralBuckets>(further))
+        image.metadata.strings = {{"spectralLayoutVersion", "1.0"},
+                                  {"emissiveUnits", "W.m^-2.sr^-1"}};
     return image;
 }
 

@@ -2,8 +2,11 @@
 
 #include <array>
 #include <string>
+#include <variant>
 #include <vector>
 
+#include "pbrt/films/gbuffer.h"
+#include "pbrt/films/spectral.h"
 #include "pbrt/image/image.h"
 #include "pbrt/scene/description.h"
 #include "pbrt/spectra/color.h"
@@ -26,12 +29,11 @@ struct FilmOverrides {
     bool quick = false;  ///< a quarter of the resolution
 };
 
-/// The `rgb` film: the CIE 1931 observer as sensor, colours of the film's colour space.
-class RGBFilm {
+/// The films: the CIE 1931 observer as sensor, colours of the film's colour space; film `rgb` keeps
+/// nothing else, `gbuffer` and `spectral` have further channels.
+class Film {
   public:
-    static constexpr std::string_view kName = "rgb";
-    static RGBFilm Create(const Description &scene, const FilmOverrides &overrides,
-                          Diagnostics &log);
+    static Film Create(const Description &scene, const FilmOverrides &overrides, Diagnostics &log);
 
     /// Shutter time in seconds: the imaging ratio is seconds * iso / 100.
     void SetExposure(float seconds) { imagingRatio = seconds * iso / 100; }
@@ -41,28 +43,53 @@ class RGBFilm {
     const std::string &FileName() const { return fileName; }
     const RGBColorSpace &ColorSpace() const { return *colorSpace; }
 
+    /// The transforms from rendering to camera and world space.
+    void SetSpaces(const Transform &camera, const Transform &world) {
+        if (auto *const g = std::get_if<GBuffer>(&further)) g->SetSpaces(camera, world);
+    }
+    /// Whether AddSample makes use of a VisibleSurface.
+    bool WantsSurface() const { return std::holds_alternative<GBuffer>(further); }
+    /// Of one path; u in [0, 1).
+    SampledWavelengths SampleWavelengths(float u) const {
+        if (const auto *s = std::get_if<SpectralBuckets>(&further)) [[unlikely]]
+            return s->SampleWavelengths(u);
+        return SampledWavelengths::SampleVisible(u);
+    }
+
     /// Sums of one pixel; kept by its tile, stored once.
     struct Pixel {
         double rgb[3] = {};
         double weight = 0;
+        std::variant<std::monostate, SpectralBuckets::Sums, GBuffer::Sums> further;
     };
+    Pixel NewPixel() const;
     /// Sensor response to L sampled at lambda: mean over the wavelengths of L times the matching
     /// curves over the pdf, in the film's space, clamped to `maxcomponentvalue`, times the imaging
     /// ratio. Wavelengths of pdf 0 (terminated) do not count.
     RGB ToSensorRGB(SampledSpectrum L, const SampledWavelengths &lambda) const;
-    void AddSample(Pixel *pixel, SampledSpectrum L, const SampledWavelengths &lambda,
-                   float weight) const {
+    /// `surface`: what the path saw first, null where nothing or nobody WantsSurface.
+    void AddSample(Pixel *pixel, SampledSpectrum L, const SampledWavelengths &lambda, float weight,
+                   const VisibleSurface *surface = nullptr) const {
         const RGB rgb = ToSensorRGB(L, lambda);
-        for (int c = 0; c < 3; ++c) pixel->rgb[c] += weight * rgb[c];
+        for (int c = 0; c < 3; ++c)
+            pixel->rgb[c] += weight * rgb[c];
         pixel->weight += weight;
+        if (further.index() != 0) [[unlikely]]
+            AddFurther(pixel, L, rgb, lambda, weight, surface);
     }
-    void Store(Point2i p, const Pixel &pixel) { pixels[Index(p)] = pixel; }
+    void Store(Point2i p, const Pixel &pixel);
     RGB PixelRGB(Point2i p) const;
 
     Image ToImage() const;
     ExrPixels Format() const { return format; }
 
   private:
+    /// RGB of L by the matching curves, neither exposed nor clamped.
+    SampledSpectrum::Lanes Matched(SampledSpectrum L, const SampledWavelengths &lambda) const;
+    std::vector<std::string> NamesOfFurther() const;
+    void AddFurther(Pixel *pixel, SampledSpectrum L, const RGB &rgb,
+                    const SampledWavelengths &lambda, float weight,
+                    const VisibleSurface *surface) const;
     size_t Index(Point2i p) const {
         return size_t(p.y - bounds.y0) * bounds.Width() + (p.x - bounds.x0);
     }
@@ -75,7 +102,15 @@ class RGBFilm {
     /// Per whole nm from 360: the film's r, g, b matching curves (the fourth is padding) over the
     /// number of wavelengths.
     std::vector<std::array<float, 4>> matching;
-    std::vector<Pixel> pixels;
+    struct Sum {
+        double rgb[3] = {};
+        double weight = 0;
+    };
+    std::vector<Sum> pixels;
+    std::variant<std::monostate, SpectralBuckets, GBuffer> further;
+    std::vector<std::string> furtherChannels;
+    std::vector<float> furtherValues;  ///< pixel by pixel
+    Spectrum illuminant;               ///< white of luminance 1, that albedos are seen under
 };
 
 }  // namespace pbrt

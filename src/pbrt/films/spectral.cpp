@@ -1,0 +1,55 @@
+#include "pbrt/films/spectral.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace pbrt {
+namespace {
+
+constexpr NumberRow kMin{"lambdamin", "nm", LambdaMin, LambdaMin, LambdaMax, "of the first bucket"};
+constexpr NumberRow kMax{"lambdamax", "nm", LambdaMax, LambdaMin, LambdaMax, "of the last bucket"};
+
+}  // namespace
+
+SpectralBuckets SpectralBuckets::Create(ParamDict &params) {
+    SpectralBuckets b;
+    b.n = size_t(params.GetOneInt("nbuckets", 16, 1, 4096));
+    const float least = params.GetOneFloat(kMin), most = params.GetOneFloat(kMax);
+    if (least < most)
+        b.lambdaMin = least, b.lambdaMax = most;
+    else
+        params.Error("lambdamin", "\"lambdamin\" must be less than \"lambdamax\"");
+    return b;
+}
+
+void SpectralBuckets::Add(Sums *sums, SampledSpectrum L, const SampledWavelengths &lambda,
+                          float weight) const {
+    const SampledSpectrum pdf = lambda.PDF();
+    for (int i = 0; i < NSpectrumSamples; ++i) {
+        if (pdf[i] == 0) continue;
+        // Where a path ended its other wavelengths, the one that is left stands for all.
+        const double share = double(weight) / pdf[i];
+        const size_t b = size_t(BucketOf(lambda[i]));
+        sums->values[b] += share * L[i];
+        sums->weights[b] += share;
+    }
+}
+
+std::vector<std::string> SpectralBuckets::ChannelNames() const {
+    std::vector<std::string> names;
+    for (size_t i = 0; i < n; ++i) {
+        std::string middle = fmt::format(
+            "{:.3f}", lambdaMin + (double(lambdaMax) - lambdaMin) * (double(i) + 0.5) / double(n));
+        std::replace(middle.begin(), middle.end(), '.', ',');
+        names.push_back("S0." + middle + "nm");
+    }
+    return names;
+}
+
+void SpectralBuckets::Write(const Sums &sums, float *channels) const {
+    for (size_t i = 0; i < n; ++i)
+        channels[i] = sums.weights[i] == 0 ? 0 : float(sums.values[i] / sums.weights[i]);
+}
+
+}  // namespace pbrt
