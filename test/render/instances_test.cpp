@@ -162,6 +162,36 @@ TEST(MotionBlur, OfAMovingShapeInAnObject) {
                [](double) { return 0.; });
 }
 
+TEST(MotionBlur, TurningKeepsSizes) {
+    // A quarter turn about the square's own center: at a distance r from it the fraction of time
+    // in the square is that of angles at which a point there lies inside.
+    constexpr int kSize = 33, kSamples = 128;
+    const std::string square =
+        "Shape \"bilinearmesh\" \"point3 P\" [ -1 -1 0  1 -1 0  -1 1 0  1 1 0 ]\n";
+    const std::string turn = "ActiveTransform EndTime\nRotate 90 0 0 1\nActiveTransform All\n";
+    const Image image = RenderText(Scene(kWhite + turn + square, "", kSamples, kSize));
+    // At rest the square covers a quarter of the picture.
+    const double bright = 4 * Mean(RenderText(Scene(kWhite + square, "", 64, kSize)))[1];
+    double sum = 0, ringSum = 0, ringExpected = 0;
+    int ring = 0;
+    for (int y = 0; y < kSize; ++y)
+        for (int x = 0; x < kSize; ++x) {
+            const double r = std::hypot(x - 16, y - 16) * 4 / kSize;
+            const double covered = image.Get({x, y}, 1) / bright;
+            sum += covered * 16 / (kSize * kSize);
+            if (r < 1.1 || r > 1.3) continue;
+            // Each of the four sides cuts an arc of 2 acos(1 / r) off the circle.
+            ringExpected += 1 - 4 * std::acos(1 / r) * 2 / (2 * Pi);
+            ringSum += covered;
+            ++ring;
+        }
+    // The whole area never changes: 4 sigma of 1/2 over the root of 128 samples in each of the
+    // about 300 pixels that are now in, now out.
+    EXPECT_NEAR(sum, 4, 4 * 0.5 / std::sqrt(128 * 300) * 300 * 16 / (kSize * kSize));
+    EXPECT_GT(ring, 50);
+    EXPECT_NEAR(ringSum / ring, ringExpected / ring, 0.02);
+}
+
 TEST(MotionBlur, FollowsTransformTimes) {
     const auto moves = [](double start, double end) {
         return [=](double u) { return std::clamp((u - start) / (end - start), 0., 1.); };

@@ -199,11 +199,10 @@ void Accel::Impl::AttachInstance(uint32_t index) {
     const Instance &instance = instances[index];
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
     rtcSetGeometryInstancedScene(geometry, objectScenes[instance.object]);
-    const int keys = instance.moving ? 2 : 1;
-    rtcSetGeometryTimeStepCount(geometry, unsigned(keys));
-    for (int k = 0; k < keys; ++k)
+    rtcSetGeometryTimeStepCount(geometry, unsigned(instance.NKeys()));
+    for (size_t k = 0; k < instance.NKeys(); ++k)
         rtcSetGeometryTransform(geometry, unsigned(k), RTC_FORMAT_FLOAT3X4_ROW_MAJOR,
-                                instance.renderFromObject[k].Matrix().data());
+                                instance.Key(k).Matrix().data());
     Attach(scene, geometry, nTop + index);
 }
 

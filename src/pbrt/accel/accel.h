@@ -23,9 +23,19 @@ struct Geometry {
 
 struct Instance {
     uint32_t object;  ///< index into the objects given to Accel
-    /// At shutter open and close; between them (Ray::time in [0, 1]) each matrix entry is linear.
+    /// Keys at ray times 0 and 1.
     std::array<Transform, 2> renderFromObject;
     bool moving = false;
+    /// More keys between those, at equal steps of time. From key to key each matrix entry is
+    /// linear.
+    std::vector<Transform> between = {};
+
+    size_t NKeys() const { return moving ? between.size() + 2 : 1; }
+    const Transform &Key(size_t i) const {
+        return i == 0               ? renderFromObject[0]
+               : i > between.size() ? renderFromObject[1]
+                                    : between[i - 1];
+    }
 };
 
 /// Range of geometries [first, last) that an instance repeats.

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "pbrt/util/motion.h"
+
 namespace pbrt {
 namespace {
 
@@ -128,7 +130,9 @@ class ShapeBuilder {
         if (range.first == range.last) return;
         const bool moving = !(renderFromObject[0] == renderFromObject[1]);
         world.moves |= moving;
-        world.instances.push_back({object, renderFromObject, moving});
+        Instance instance{object, renderFromObject, moving};
+        if (moving) instance.between = KeysBetween(renderFromObject[0], renderFromObject[1]);
+        world.instances.push_back(std::move(instance));
     }
 
     /// The parser has seen to it that named materials exist.

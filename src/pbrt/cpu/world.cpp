@@ -8,11 +8,14 @@ namespace {
 /// Linear between the key times, entry by entry, as Embree moves instances.
 Transform At(const Instance &instance, float time) {
     if (!instance.moving) return instance.renderFromObject[0];
+    const size_t nSteps = instance.NKeys() - 1;
+    const float at = time * float(nSteps);
+    const size_t key = std::min(size_t(at), nSteps - 1);
+    const Matrix4 &from = instance.Key(key).Matrix(), &to = instance.Key(key + 1).Matrix();
     Matrix4 m;
     for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j)
-            m[i][j] = Lerp(time, instance.renderFromObject[0].Matrix()[i][j],
-                           instance.renderFromObject[1].Matrix()[i][j]);
+            m[i][j] = Lerp(at - float(key), from[i][j], to[i][j]);
     return Transform::FromMatrix(m).value_or(instance.renderFromObject[0]);
 }
 
