@@ -1,6 +1,7 @@
 #pragma once
 
-#include "pbrt/bxdfs/albedo.h"
+#include "pbrt/bxdfs/bxdf.h"
+#include "pbrt/cpu/shading_frame.h"
 #include "pbrt/cpu/world.h"
 
 namespace pbrt {
@@ -38,12 +39,9 @@ class PathTracer {
     PathTracer(const World &world, SamplerT &sampler, RayCounts &rays)
         : world(world), settings(world.path), sampler(sampler), rays(rays) {}
 
-    /// Radiance along `cameraRay`; the wavelengths may lose the secondary ones. `seen`, where not
-    /// null, becomes what scatters first, if anything does.
-    SampledSpectrum Li(const Ray &cameraRay, SampledWavelengths &wavelengths,
-                       std::optional<VisibleSurface> *seen = nullptr) {
+    /// Radiance along `cameraRay`; the wavelengths may lose the secondary ones.
+    SampledSpectrum Li(const Ray &cameraRay, SampledWavelengths &wavelengths) {
         lambda = &wavelengths;
-        visible = seen;
         ray = cameraRay;
         L = SampledSpectrum(0);
         beta = SampledSpectrum(1);
@@ -119,8 +117,6 @@ class PathTracer {
             if (depth == settings.maxDepth) return PassLastGap(sp, material.GapFraction(ctx, wo));
 
         auto bsdf = Scattering::Of(material.GetBxDF(ctx, *lambda));
-        if (visible) [[unlikely]]
-            Record(bsdf, sp, wo);
         if (settings.regularize && anyNonSpecular) bsdf.Regularize();
         if (IsNonSpecular(bsdf.Flags()) && settings.strategy != LightStrategy::BSDFOnly)
             L += beta * SampleLights(bsdf, sp, frame, wo);
@@ -128,25 +124,6 @@ class PathTracer {
         const auto s = bsdf.Sample_f(wo, uc, sampler.Get2D(), TransportMode::Radiance);
         if (!s || s->pdf == 0 || s->wi.z == 0 || !s->f) return false;
         return Continue(*s, bsdf.Flags(), sp, frame);
-    }
-
-    template <typename B>
-    void Record(const B &bsdf, const SurfacePoint &sp, Vector3f wo) {
-        VisibleSurface surface{sp.p, sp.n, sp.ns, sp.uv, {}, {}, AlbedoOf(bsdf, wo)};
-        world.camera.ApproximateStep(sp.p, sp.n, 1, &surface.dpdx, &surface.dpdy);
-        *visible = surface;
-        visible = nullptr;
-    }
-
-    template <typename M>
-    static Frame FrameFor(const M &material, const SurfacePoint &sp,
-                          const TextureEvalContext &ctx) {
-        if constexpr (requires { M::kIsotropic; })
-            return Frame::FromZ(sp.ns);
-        else if constexpr (requires { material.TurnFrame(Frame(), ctx); })
-            return material.TurnFrame(sp.ShadingFrame(), ctx);
-        else
-            return sp.ShadingFrame();
     }
 
     /// After the last scattering only straight passage is left: take its expectation.
@@ -268,7 +245,6 @@ class PathTracer {
     SamplerT &sampler;
     RayCounts &rays;
     SampledWavelengths *lambda = nullptr;
-    std::optional<VisibleSurface> *visible = nullptr;  ///< where to put what is seen; null: done
 
     Ray ray;
     SampledSpectrum L, beta;

@@ -8,6 +8,8 @@
 #include <atomic>
 #include <chrono>
 
+#include "pbrt/cpu/first_seen.h"
+
 namespace pbrt {
 namespace {
 
@@ -38,9 +40,11 @@ Film::Pixel RenderPixel(const World &world, Point2i p, SamplerT &sampler, RayCou
             time = 0.5f, lens = {0.5f, 0.5f};
         }
         const Point2f film{p.x + 0.5f + fs.p.x, p.y + 0.5f + fs.p.y};
+        const Ray ray = world.camera.GenerateRay(film, lens, time);
         std::optional<VisibleSurface> seen;
-        SampledSpectrum L = tracer.Li(world.camera.GenerateRay(film, lens, time), lambda,
-                                      world.film.WantsSurface() ? &seen : nullptr);
+        if (world.film.WantsSurface()) [[unlikely]]
+            seen = FirstSeen(world, ray, lambda);
+        SampledSpectrum L = tracer.Li(ray, lambda);
         // Never seen in tests; a picture must not lose a pixel to one path.
         if (!L.IsFinite()) L = SampledSpectrum(0);
         world.film.AddSample(&pixel, L, lambda, fs.weight, seen ? &*seen : nullptr);

@@ -1,0 +1,25 @@
+#include "pbrt/cpu/first_seen.h"
+
+#include "pbrt/bxdfs/albedo.h"
+#include "pbrt/cpu/shading_frame.h"
+
+namespace pbrt {
+
+std::optional<VisibleSurface> FirstSeen(const World &world, const Ray &ray,
+                                        SampledWavelengths lambda) {
+    Hit hit;
+    if (!world.accel->Intersect(ray, &hit)) return {};
+    const SurfacePoint sp = world.Interact(hit, ray);
+    const TextureEvalContext ctx = world.TextureContext(sp);
+    VisibleSurface seen{sp.p, sp.n, sp.ns, sp.uv, {}, {}, {}};
+    world.camera.ApproximateStep(sp.p, sp.n, 1, &seen.dpdx, &seen.dpdy);
+    seen.albedo = std::visit(
+        [&](const auto &material) {
+            const Vector3f wo = FrameFor(material, sp, ctx).ToLocal(-ray.d);
+            return AlbedoOf(material.GetBxDF(ctx, lambda), wo);
+        },
+        world.MaterialMet(world.geometries[hit.geometry].material, sp, ray.d));
+    return seen;
+}
+
+}  // namespace pbrt
