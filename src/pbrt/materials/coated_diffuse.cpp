@@ -9,9 +9,10 @@ constexpr NumberRow kEta{"eta", "", 1.5f, 1, 1e3f, "index of refraction of the c
 constexpr NumberRow kThickness{"thickness", "", 0.01f, 0, 1e3f, "optical depth of the coat"};
 constexpr NumberRow kG{"g", "", 0, -1, 1, "asymmetry of scattering in the coat"};
 
+/// But for the rounding of interpolation.
 bool IsFlat(const Spectrum &s) {
     for (int lambda = int(LambdaMin); lambda <= int(LambdaMax); ++lambda)
-        if (s(float(lambda)) != s(LambdaMin)) return false;
+        if (std::abs(s(float(lambda)) - s(LambdaMin)) > 1e-5f * s(LambdaMin)) return false;
     return true;
 }
 
