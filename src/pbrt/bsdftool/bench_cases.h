@@ -9,8 +9,8 @@ namespace pbrt::bsdftool {
 BenchCase CaseOf(const std::string &name, const Material &material);
 /// f, PDF and Sample_f of a hair with its default parameters.
 BenchCase HairCase();
-/// Reflectance of one film at one wavelength, as f, by the model's real arithmetic and by S-eq.1 in
-/// complex numbers, both in float, with errors against double.
+/// Reflectance of one film at the four wavelengths, as f, by the model's real arithmetic and by
+/// S-eq.1 in complex numbers (float, double), with errors against the former in double.
 std::vector<BenchCase> FilmCases();
 /// One sinf, as f: the yardstick between machines.
 BenchCase SineCase();

@@ -6,7 +6,8 @@
 namespace pbrt::bsdftool {
 namespace {
 
-constexpr float kLambda = 550, kThickness = 590, kEta = 1.55f;
+constexpr float kThickness = 590, kEta = 1.55f;
+constexpr int N = NSpectrumSamples;
 
 /// S-eq.1 as it stands, unpolarised.
 template <typename T>
@@ -34,23 +35,42 @@ double LargestError(const Reflectance &reflectance) {
     return most;
 }
 
+template <typename T>
+BenchCase SeriesCase(const std::string &name) {
+    BenchCase c;
+    c.row.name = name;
+    c.row.filmError = LargestError([](float lambda, float thickness, float eta, float cosine) {
+        return SeriesReflectance<T>(lambda, thickness, eta, cosine);
+    });
+    c.timers.push_back({&BenchRow::f, Pass([](const BenchInput &in) {
+                            std::array<T, N> R;
+                            for (int i = 0; i < N; ++i)
+                                R[i] = SeriesReflectance<T>(kBenchLambda[i], kThickness, kEta,
+                                                            in.wo.z);
+                            return float(feather::Sum(R));
+                        })});
+    return c;
+}
+
 }  // namespace
 
 std::vector<BenchCase> FilmCases() {
-    BenchCase real, series;
+    BenchCase real;
     real.row.name = "film, real numbers";
     real.row.filmError = LargestError([](float lambda, float thickness, float eta, float c) {
         return feather::Film<float>({lambda}, {thickness}, eta).Reflectance(c);
     });
-    const feather::Film<float> film({kLambda}, {kThickness}, kEta);
-    real.timers.push_back(
-        {&BenchRow::f, Pass([film](const BenchInput &in) { return film.Reflectance(in.wo.z); })});
-    series.row.name = "film, complex series";
-    series.row.filmError = LargestError(SeriesReflectance<float>);
-    series.timers.push_back({&BenchRow::f, Pass([](const BenchInput &in) {
-                                 return SeriesReflectance(kLambda, kThickness, kEta, in.wo.z);
-                             })});
-    return {real, series};
+    std::array<feather::Film<float>, N> films;
+    for (int i = 0; i < N; ++i)
+        films[i] = feather::Film<float>({kBenchLambda[i]}, {kThickness}, kEta);
+    real.timers.push_back({&BenchRow::f, Pass([films](const BenchInput &in) {
+                               std::array<float, N> R;
+                               for (int i = 0; i < N; ++i)
+                                   R[i] = films[i].Reflectance(in.wo.z);
+                               return feather::Sum(R);
+                           })});
+    return {real, SeriesCase<float>("film, complex series"),
+            SeriesCase<double>("film, series in double")};
 }
 
 }  // namespace pbrt::bsdftool

@@ -87,12 +87,11 @@ void DrawView(Canvas &canvas, const Scatterogram &view, double top, double size,
     other.Cross(light);
     other.Axes();
     canvas.Text({left + size / 2, top - 10},
-                fmt::format("light at theta {:g}°, phi {:g}°: its own side", view.light.theta,
-                            view.light.phi),
+                fmt::format("reflected; light {:g}°, phi {:g}°", view.light.theta, view.light.phi),
                 kFont, Align::Center);
     canvas.Text({right + size / 2, top - 10},
-                view.hasGap ? fmt::format("the other side; straight through {:.4f}", view.gap)
-                            : std::string("the other side"),
+                view.hasGap ? fmt::format("transmitted; straight on {:.3f}", view.gap)
+                            : std::string("transmitted"),
                 kFont, Align::Center);
 }
 

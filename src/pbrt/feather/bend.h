@@ -85,10 +85,11 @@ class Bend {
         return Arc<T>::Between(from, to);
     }
 
-    /// The range of s for w.
-    Interval<T> Weights(Direction<T> w) const {
-        const T middle = std::abs(w.y) * cosOpening, half = std::abs(w.z) * sinOpening;
-        return {middle - half, middle + half};
+    /// The ends of the range of s for w, as (|w.z_a|, s); neither is the other's cancelled root.
+    Interval<Planar<T>> Weights(Direction<T> w) const {
+        const T y = std::abs(w.y), z = std::abs(w.z);
+        return {{z * cosOpening + y * sinOpening, y * cosOpening - z * sinOpening},
+                {std::abs(z * cosOpening - y * sinOpening), y * cosOpening + z * sinOpening}};
     }
 
     /// The segment that halves what w, w.z != 0, sees of the arc: Sample's for u = 1/2.

@@ -22,20 +22,19 @@ namespace pbrt::feather {
 template <int Nodes = 8, std::floating_point T>
 T GapFraction(const Row<T> &row, const Bend<T> &bend, Direction<T> w) {
     if (row.Closed()) return 0;
-    const Interval<T> range = bend.Weights(w);
+    const Interval<Planar<T>> range = bend.Weights(w);
     const T rSqr = w.y * w.y + w.z * w.z, r = std::sqrt(rSqr);
     const Interval<T> open = row.Open(std::abs(w.x), w.x * w.z);
     if (open.lo >= r) return 0;
-    const T s0 = std::sqrt(std::max(T(0), rSqr - open.hi * open.hi));
-    const T s1 = std::sqrt(std::max(T(0), rSqr - open.lo * open.lo));
+    const auto at = [&](T across) {  // (|w.z_a|, s)
+        return Planar<T>{std::min(across, r), std::sqrt(std::max(T(0), rSqr - across * across))};
+    };
+    const Planar<T> end0 = at(open.hi), end1 = at(open.lo);
     const T sign = std::copysign(T(1), w.z);
 
-    const auto passed = [&](T lo, T hi) {  // the integral of T_row ds
-        if (!(lo < hi)) return T(0);
-        const auto end = [&](T s) {
-            const T sine = std::clamp(s / r, T(-1), T(1));
-            return Planar<T>{std::sqrt(1 - sine * sine), sine};
-        };
+    const auto passed = [&](Planar<T> lo, Planar<T> hi) {  // the integral of T_row ds
+        if (!(lo.x < hi.x)) return T(0);
+        const auto end = [&](Planar<T> p) { return Planar<T>{p.n / r, p.x / r}; };
         const Arc<T> arc = Arc<T>::Between(end(lo), end(hi));
         T sum = 0;
         for (int k = 0; k < Nodes; ++k) {
@@ -46,9 +45,11 @@ T GapFraction(const Row<T> &row, const Bend<T> &bend, Direction<T> w) {
         }
         return sum;
     };
-    const T sum = passed(std::max(range.lo, s0), std::min(range.hi, s1)) +
-                  passed(std::max(range.lo, -s1), std::min(range.hi, -s0));
-    return std::min(T(1), sum / (range.hi - range.lo));
+    const auto later = [](Planar<T> a, Planar<T> b) { return a.x > b.x ? a : b; };
+    const auto earlier = [](Planar<T> a, Planar<T> b) { return a.x < b.x ? a : b; };
+    const T sum = passed(later(range.lo, end0), earlier(range.hi, end1)) +
+                  passed(later(range.lo, {end1.n, -end1.x}), earlier(range.hi, {end0.n, -end0.x}));
+    return std::min(T(1), sum / (2 * std::abs(w.z) * bend.SinOpening()));  // hi.x - lo.x
 }
 
 }  // namespace pbrt::feather

@@ -107,7 +107,7 @@ struct Film {
     }
 
     Terms Airy(T cosine) const {
-        const T c2 = std::min(cosine * cosine, T(1));
+        const T c2 = cosine * cosine;
         const T insideSqr =
             excess + c2;  // eta^2 cos^2 in the film; eta^2 - s2 without cancellation
         const T sum = std::max(grazing + std::sqrt(insideSqr), std::numeric_limits<T>::min());
