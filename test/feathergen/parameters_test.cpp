@@ -99,6 +99,11 @@ TEST_F(CommandLine, MistakesNameTheOption) {
               std::string::npos);
     EXPECT_NE(Fail({"neck", "--flow", "0,0,0", "--out", out}).find("no direction"),
               std::string::npos);
+    EXPECT_EQ(Fail({"neck", "--set", "neck_spacing=0.1", "--set", "quads_along=2", "--out", out}),
+              "feathergen: \"neck_spacing\" is 0.1 mm: more than 10000 feathers on this surface\n");
+    EXPECT_EQ(Fail({"--set", "barb_count=2000", "--set", "quads_along=1000", "--out", out}),
+              "feathergen: barb_count, quads_along and quads_across make 48000000 quads a feather, "
+              "above 10000000\n");
     EXPECT_FALSE(std::filesystem::exists(out)) << "nothing is written after a mistake";
 }
 

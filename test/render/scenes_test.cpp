@@ -31,8 +31,8 @@ class Scenes : public testing::TestWithParam<std::string> {};
 TEST_P(Scenes, LookLikeTheirReference) {
     const std::string folder = PBRT_SOURCE_DIR "/scenes/" + GetParam() + "/";
     if (fs::exists(folder + "generate.sh")) {
-        ASSERT_EQ(std::system(("'" + folder + "generate.sh' '" PBRT_PROGRAMS "' >/dev/null").c_str()),
-                  0);
+        ASSERT_EQ(
+            std::system(("'" + folder + "generate.sh' '" PBRT_PROGRAMS "' >/dev/null").c_str()), 0);
     }
     const Image reference = *ReadImage(folder + "reference.exr").value;
     const Image variance = *ReadImage(folder + "reference-variance.exr").value;

@@ -28,6 +28,7 @@ std::vector<SurfaceSample> Spread(std::span<const SurfaceSample> surface, const 
             return LengthSquared(k.p - s.p) < Sqr(least);
         });
         if (isFree) kept.push_back(s);
+        if (kept.size() > kMostFeathers) break;
     }
     return kept;
 }
@@ -149,9 +150,11 @@ class Layer {
 
 }  // namespace
 
-std::vector<Placed> Cover(std::span<const SurfaceSample> surface, Vec3d flow, const Parameters &p,
-                          std::span<const Sheet> sheets, uint64_t seed) {
+std::optional<std::vector<Placed>> Cover(std::span<const SurfaceSample> surface, Vec3d flow,
+                                         const Parameters &p, std::span<const Sheet> sheets,
+                                         uint64_t seed) {
     std::vector<SurfaceSample> roots = Spread(surface, p);
+    if (roots.size() > kMostFeathers) return {};
     double begin = Infinity, end = -Infinity;
     for (const SurfaceSample &s : surface)
         begin = std::min(begin, Dot(s.p, flow)), end = std::max(end, Dot(s.p, flow));

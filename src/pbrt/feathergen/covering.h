@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -25,10 +26,15 @@ struct Placed {
 /// Colors between green and purple; the sheets come color by color, p.neckShapes of each.
 inline constexpr int kNeckColors = 4;
 
+/// No covering has more feathers.
+inline constexpr size_t kMostFeathers = 10000;
+
 /// Covers the surface: roots no nearer to each other than neckSpacing (times the feather's size),
 /// tips with the flow. Feathers are laid from the flow's end to its beginning, and each is turned
 /// up at its root until it clears the surface and all that lie already: like shingles.
-std::vector<Placed> Cover(std::span<const SurfaceSample> surface, Vec3d flow, const Parameters &p,
-                          std::span<const Sheet> sheets, uint64_t seed);
+/// Nothing where more than kMostFeathers would be needed.
+std::optional<std::vector<Placed>> Cover(std::span<const SurfaceSample> surface, Vec3d flow,
+                                         const Parameters &p, std::span<const Sheet> sheets,
+                                         uint64_t seed);
 
 }  // namespace pbrt::feathergen

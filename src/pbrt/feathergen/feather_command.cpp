@@ -5,17 +5,11 @@
 namespace pbrt::feathergen {
 
 Outcome Run(Args args) {
-    const bool helps = !args.empty() && (args[0] == "help" || args[0] == "neck");
-    if (args.empty() || (helps && args[0] == "help" && args.size() == 1)) {
-        const std::string help[] = {"--help"};
-        return FeatherCommand(help);
-    }
+    const std::string help[] = {"--help"};
+    if (args.empty()) return FeatherCommand(help);
     if (args[0] == "neck") return NeckCommand(args.subspan(1));
-    if (args[0] == "help" && args[1] == "neck") {
-        const std::string help[] = {"--help"};
-        return NeckCommand(help);
-    }
-    return FeatherCommand(args);
+    if (args[0] != "help") return FeatherCommand(args);
+    return args.size() > 1 && args[1] == "neck" ? NeckCommand(help) : FeatherCommand(help);
 }
 
 Outcome FeatherCommand(Args args) {

@@ -74,8 +74,10 @@ std::string ShapeDirectives(const Parameters &p, const FeatherNames &names) {
             names.prefix, p.aspect, p.opening, Rotation(p, bank));
         text += ShapeLine(names, bank == Bank::Left ? "left.ply" : "right.ply");
     }
-    text += fmt::format("Material \"diffuse\" \"rgb reflectance\" [ {} {} {} ]\n", p.keratinRed,
-                        p.keratinGreen, p.keratinBlue);
+    text += fmt::format(
+        "Material \"coateddiffuse\" \"rgb reflectance\" [ {} {} {} ] \"float eta\" 1.55 \"float "
+        "roughness\" 0.2\n",
+        p.keratinRed, p.keratinGreen, p.keratinBlue);
     return text + ShapeLine(names, "rami.ply") + ShapeLine(names, "rachis.ply");
 }
 

@@ -53,6 +53,11 @@ std::string FeatherOptions::Read(Parameters *parameters) const {
         problem = ApplySetting(setting, parameters);
         if (!problem.empty()) return "--set: " + problem;
     }
+    if (parameters->VaneQuads() > kMostVaneQuads)
+        return fmt::format(
+            "barb_count, quads_along and quads_across make {:.0f} quads a feather, "
+            "above {:.0f}",
+            parameters->VaneQuads(), kMostVaneQuads);
     constexpr std::string_view kKinds[] = {"atlas", "ptex"};
     if (textures != "atlas" && textures != "ptex")
         return "--textures: " + UnknownName("kind", textures, kKinds);

@@ -79,6 +79,34 @@ std::string NeckDirectives(const Kinds &kinds, const std::vector<Placed> &feathe
     return text;
 }
 
+/// Covers the surface and writes everything.
+Outcome Grow(const NeckOptions &o, const Parameters &p, Vec3d flow, const Mesh &surface) {
+    constexpr size_t kSamples = 60000;
+    const std::vector<SurfaceSample> samples =
+        SampleSurface(surface, flow, kSamples, Hash(o.feather.seed));
+    if (samples.empty())
+        return Failure(fmt::format("--surface: {}: has no area to cover", o.surface));
+    FileSet files;
+    const Kinds kinds(p, o, &files);
+    const auto feathers = Cover(samples, flow, p, kinds.sheets, Hash(o.feather.seed, 1));
+    if (!feathers)
+        return Failure(
+            fmt::format("\"neck_spacing\" is {} mm: more than {} feathers on this surface",
+                        p.neckSpacing, kMostFeathers));
+
+    const std::string folder = o.feather.Folder(), skin = folder + "skin.ply";
+    const std::string contents =
+        fmt::format("{} feathers of {} kinds, {} quads of vane", feathers->size(),
+                    kinds.names.size(), feathers->size() * kinds.quads);
+    files.Add(skin, TextWriter(ToPly(surface)));
+    files.Add(folder + "neck.pbrt",
+              TextWriter(fmt::format(
+                  "# feathergen neck --preset {} --seed {}: {}, millimetres.\n{}", o.feather.preset,
+                  o.feather.seed, contents, NeckDirectives(kinds, *feathers, skin))));
+    if (const auto wrong = files.Write(folder)) return Failure(*wrong);
+    return {0, contents + "\n", {}};
+}
+
 }  // namespace
 
 Outcome NeckCommand(Args args) {
@@ -88,38 +116,19 @@ Outcome NeckCommand(Args args) {
     std::string problem = o.feather.Read(&p);
     if (!problem.empty()) return Failure(problem);
     if (o.feather.printPreset) return {0, ToJson(p), {}};
-    Vec3d flow{o.flow[0], o.flow[1], o.flow[2]};
+    const double quads = kNeckColors * p.neckShapes * p.VaneQuads();
+    if (quads > 2 * kMostVaneQuads)
+        return Failure(
+            fmt::format("neck_shapes and the numbers of barbs and quads make {:.0f} quads, "
+                        "above {:.0f}",
+                        quads, 2 * kMostVaneQuads));
+    const Vec3d flow{o.flow[0], o.flow[1], o.flow[2]};
     if (!(LengthSquared(flow) > 0 && LengthSquared(flow) < Infinity))
         return Failure(fmt::format("--flow: ({}, {}, {}) is no direction", flow.x, flow.y, flow.z));
-    flow = Normalize(flow);
-
     std::optional<Mesh> surface = BuiltInNeck();
     if (!o.surface.empty()) surface = ReadSurface(o.surface, &problem);
     if (!surface) return Failure("--surface: " + problem);
-    constexpr size_t kSamples = 60000;
-    const std::vector<SurfaceSample> samples =
-        SampleSurface(*surface, flow, kSamples, Hash(o.feather.seed));
-    if (samples.empty())
-        return Failure(fmt::format("--surface: {}: has no area to cover", o.surface));
-
-    FileSet files;
-    const Kinds kinds(p, o, &files);
-    const std::vector<Placed> feathers =
-        Cover(samples, flow, p, kinds.sheets, Hash(o.feather.seed, 1));
-    const std::string folder = o.feather.Folder();
-    files.Add(folder + "skin.ply", TextWriter(ToPly(*surface)));
-    files.Add(
-        folder + "neck.pbrt",
-        TextWriter(fmt::format("# feathergen neck --preset {} --seed {}: {} feathers, {} quads "
-                               "of vane, millimetres.\n",
-                               o.feather.preset, o.feather.seed, feathers.size(),
-                               feathers.size() * kinds.quads) +
-                   NeckDirectives(kinds, feathers, folder + "skin.ply")));
-    if (const auto wrong = files.Write(folder)) return Failure(*wrong);
-    return {0,
-            fmt::format("{} feathers of {} kinds, {} quads of vane\n", feathers.size(),
-                        kinds.names.size(), feathers.size() * kinds.quads),
-            {}};
+    return Grow(o, p, Normalize(flow), *surface);
 }
 
 }  // namespace pbrt::feathergen

@@ -75,7 +75,7 @@ constexpr ParameterRow kTable[] = {
     {"rachis_segments", "", &P::rachisSegments, 64, 2, 1000, "quads along the rachis", true},
 
     {"neck_spacing", "mm", &P::neckSpacing, 3.9, 0.1, 1000, "least distance of feathers' roots"},
-    {"neck_shapes", "", &P::neckShapes, 3, 1, 100, "distinct feathers of each color", true},
+    {"neck_shapes", "", &P::neckShapes, 3, 1, 32, "distinct feathers of each color", true},
     {"neck_size_top", "", &P::neckSizeTop, 0.6, 0.01, 100,
      "size of feathers where the flow begins"},
     {"neck_size_bottom", "", &P::neckSizeBottom, 1, 0.01, 100, "and where it ends"},

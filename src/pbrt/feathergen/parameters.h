@@ -25,8 +25,13 @@ struct Parameters {
     double neckGreen, neckPurple;
 
     Parameters();
+    /// Of one feather.
+    double VaneQuads() const { return 4 * barbCount * quadsAlong * quadsAcross; }
     bool operator==(const Parameters &) const = default;
 };
+
+/// More quads of vane in a feather are refused: they would not fit in memory.
+inline constexpr double kMostVaneQuads = 1e7;
 
 /// One line of the table that --help, --print-preset, --params and the messages read.
 struct ParameterRow {

@@ -11,8 +11,7 @@ constexpr double kStiff = 0.55;  ///< part of a barb that does not give way
 
 }  // namespace
 
-Sheet::Sheet(const Feather &feather)
-    : length(feather.parameters.rachisLength), cell(0.7 * feather.parameters.barbWidth) {
+Sheet::Sheet(const Feather &feather) : length(feather.parameters.rachisLength) {
     Vec3d low{1e30, 1e30, 0}, high{-1e30, -1e30, 0};
     std::vector<Vec3d> all;
     for (size_t b = 0; b < feather.barbs.size(); ++b)
@@ -26,6 +25,10 @@ Sheet::Sheet(const Feather &feather)
         spine.push_back(feather.rachis.Point(Lerp(i / 8.0, kSeen, 1.0)));
         points.push_back(spine.back());
     }
+    // Fine enough for single barbs, within reason.
+    constexpr double kMostCells = 400;
+    const double extent = std::max(high.x - low.x, high.y - low.y);
+    cell = std::max(0.7 * feather.parameters.barbWidth, extent / kMostCells);
     x0 = low.x - cell, y0 = low.y - cell;
     columns = int((high.x - x0) / cell) + 2, rows = int((high.y - y0) / cell) + 2;
     heights.assign(size_t(columns) * size_t(rows), kEmpty);
