@@ -24,6 +24,7 @@ struct CoatedDiffuseMaterial {
         return CoatedDiffuseBxDF(ClampToUnit(reflectance.Evaluate(ctx, lambda)), *coat, alpha.x,
                                  alpha.y);
     }
+    std::string Remarks() const { return roughness.Remarks(kName); }
 };
 
 }  // namespace pbrt

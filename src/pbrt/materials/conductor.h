@@ -26,6 +26,7 @@ struct ConductorMaterial {
         const SampledSpectrum kOfR = 2 * Sqrt(r) / Sqrt(SampledSpectrum(1) - r);
         return ConductorBxDF(SampledSpectrum(1), kOfR, alpha.x, alpha.y);
     }
+    std::string Remarks() const { return roughness.Remarks(kName); }
 };
 
 }  // namespace pbrt

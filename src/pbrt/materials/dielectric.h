@@ -18,6 +18,7 @@ struct DielectricMaterial {
         const Vector2f alpha = roughness.Alpha(ctx);
         return DielectricBxDF(eta(lambda[0]), alpha.x, alpha.y);
     }
+    std::string Remarks() const { return roughness.Remarks(kName); }
 };
 
 }  // namespace pbrt

@@ -10,16 +10,24 @@ constexpr NumberRow kVRoughness{"vroughness", "", 0, 0, 1e6f, "roughness along d
 }  // namespace
 
 Roughness Roughness::Create(ParamDict &params, const NamedTextures &named) {
-    const FloatTexture both = GetFloatTexture(params, named, kRoughness);
+    const BoundedTexture both(params, named, kRoughness);
     const auto overridden = [&](const NumberRow &row) {
         const bool given = params.Has(row.name, "float") || params.Has(row.name, "texture");
-        return given ? GetFloatTexture(params, named, row) : both;
+        return given ? BoundedTexture(params, named, row) : both;
     };
     Roughness r;
     r.u = overridden(kURoughness);
     r.v = overridden(kVRoughness);
     r.remap = params.GetOneBool("remaproughness", true);
     return r;
+}
+
+std::string Roughness::Remarks(std::string_view owner) const {
+    std::string along, across;
+    u.AddRemark(owner, &along);
+    v.AddRemark(owner, &across);
+    if (along == across || across.empty()) return along;  // `roughness` is both
+    return along.empty() ? across : along + "; " + across;
 }
 
 }  // namespace pbrt

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "pbrt/textures/texture.h"
+#include "pbrt/materials/bounded_texture.h"
 
 namespace pbrt {
 
 /// `roughness`, `uroughness`, `vroughness` and `remaproughness` of pbrt's microfacet materials.
 struct Roughness {
-    FloatTexture u, v;
+    BoundedTexture u, v;
     bool remap = true;
 
     static Roughness Create(ParamDict &params, const NamedTextures &named);
@@ -15,6 +15,8 @@ struct Roughness {
         const float a = u.Evaluate(ctx), b = v.Evaluate(ctx);
         return remap ? Vector2f{std::sqrt(a), std::sqrt(b)} : Vector2f{a, b};
     }
+    /// See Remarks of materials.
+    std::string Remarks(std::string_view owner) const;
 };
 
 }  // namespace pbrt
