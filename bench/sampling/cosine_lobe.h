@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pbrt/bxdfs/feather_barbule.h"
+#include "pbrt/cpu/path.h"
 #include "pbrt/util/sampling.h"
 
 namespace pbrt::bench {
@@ -42,12 +42,12 @@ class CosineLobe {
 };
 
 /// For PathTracer: feathers are drawn by the cosine lobe, all else as it is.
-struct FeathersByCosine {
-    template <typename B>
-    static B Of(const B &bsdf) {
-        return bsdf;
+struct FeathersByCosine : BSDFAsItIs {
+    using BSDFAsItIs::At;
+    static CosineLobe At(const FeatherBarbuleMaterial &feather, const TextureEvalContext &ctx,
+                         SampledWavelengths &lambda) {
+        return CosineLobe(feather.GetBxDF(ctx, lambda));
     }
-    static CosineLobe Of(const FeatherBarbuleBxDF &bsdf) { return CosineLobe(bsdf); }
 };
 
 }  // namespace pbrt::bench

@@ -21,9 +21,9 @@ inline float PowerHeuristic(float f, float g) {
 
 /// BSDFs as their materials make them. bench/sampling passes one of its own, to compare with.
 struct BSDFAsItIs {
-    template <typename B>
-    static B Of(const B &bsdf) {
-        return bsdf;
+    template <typename M>
+    static auto At(const M &material, const TextureEvalContext &ctx, SampledWavelengths &lambda) {
+        return material.GetBxDF(ctx, lambda);
     }
 };
 
@@ -76,9 +76,12 @@ class PathTracer {
     float WeightOfFound(float lightPDF) const {
         if (bsdfPDF == 0 || lightPDF == 0) return 1;  // camera, delta lobe; or not light-sampled
         switch (settings.strategy) {
-            case LightStrategy::LightsOnly: return 0;
-            case LightStrategy::BSDFOnly: return 1;
-            default: return PowerHeuristic(bsdfPDF, lightPDF);
+            case LightStrategy::LightsOnly:
+                return 0;
+            case LightStrategy::BSDFOnly:
+                return 1;
+            default:
+                return PowerHeuristic(bsdfPDF, lightPDF);
         }
     }
 
@@ -95,8 +98,7 @@ class PathTracer {
 
     void AddEmission(const Geometry &geometry, const Hit &hit, const SurfacePoint &sp) {
         const int index = World::LightOf(geometry, hit);
-        const SampledSpectrum Le =
-            pbrt::L(world.lights[index], sp.p, sp.n, sp.uv, -ray.d, *lambda);
+        const SampledSpectrum Le = pbrt::L(world.lights[index], sp.p, sp.n, sp.uv, -ray.d, *lambda);
         if (!Le) return;
         float lightPDF = 0;
         if (bsdfPDF != 0)
@@ -116,7 +118,7 @@ class PathTracer {
         if constexpr (PassesLight<M>)
             if (depth == settings.maxDepth) return PassLastGap(sp, material.GapFraction(ctx, wo));
 
-        auto bsdf = Scattering::Of(material.GetBxDF(ctx, *lambda));
+        auto bsdf = Scattering::At(material, ctx, *lambda);
         if (settings.regularize && anyNonSpecular) bsdf.Regularize();
         if (IsNonSpecular(bsdf.Flags()) && settings.strategy != LightStrategy::BSDFOnly)
             L += beta * SampleLights(bsdf, sp, frame, wo);

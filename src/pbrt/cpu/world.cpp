@@ -5,9 +5,8 @@
 namespace pbrt {
 namespace {
 
-/// Linear between the key times, entry by entry, as Embree moves instances.
+/// Of a moving instance: linear between the key times, entry by entry, as Embree moves it.
 Transform At(const Instance &instance, float time) {
-    if (!instance.moving) return instance.renderFromObject[0];
     const size_t nSteps = instance.NKeys() - 1;
     const float at = time * float(nSteps);
     const size_t key = std::min(size_t(at), nSteps - 1);
@@ -24,21 +23,26 @@ Ray ToObject(const Transform &renderFromObject, const Ray &ray) {
     return {objectFromRender.Point(ray.o), objectFromRender.Vector(ray.d), ray.tMax, ray.time};
 }
 
+template <bool kWithError>
+SurfacePoint InteractIn(const World &world, const Hit &hit, const Ray &ray) {
+    const Shape &shape = world.geometries[hit.geometry].shape;
+    if (hit.instance == ~0u) [[likely]]
+        return InteractWith<kWithError>(shape, hit, ray);
+    const auto placed = [&](const Transform &t) {
+        return FromInstance(t, InteractWith<kWithError>(shape, hit, ToObject(t, ray)));
+    };
+    const Instance &instance = world.instances[hit.instance];
+    return instance.moving ? placed(At(instance, ray.time)) : placed(instance.renderFromObject[0]);
+}
+
 }  // namespace
 
 SurfacePoint World::Interact(const Hit &hit, const Ray &ray) const {
-    const Shape &shape = geometries[hit.geometry].shape;
-    if (hit.instance == ~0u) [[likely]]
-        return pbrt::Interact(shape, hit, ray);
-    const Transform t = At(instances[hit.instance], ray.time);
-    return FromInstance(t, pbrt::Interact(shape, hit, ToObject(t, ray)));
+    return InteractIn<true>(*this, hit, ray);
 }
 
 SurfacePoint World::InteractLightly(const Hit &hit, const Ray &ray) const {
-    const Shape &shape = geometries[hit.geometry].shape;
-    if (hit.instance == ~0u) return pbrt::InteractLightly(shape, hit, ray);
-    const Transform t = At(instances[hit.instance], ray.time);
-    return FromInstance(t, pbrt::InteractLightly(shape, hit, ToObject(t, ray)));
+    return InteractIn<false>(*this, hit, ray);
 }
 
 TextureEvalContext World::TextureContext(const SurfacePoint &sp) const {
