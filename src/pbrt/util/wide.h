@@ -1,0 +1,206 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#if defined(__AVX512F__)
+#include <immintrin.h>
+#endif
+
+#include "pbrt/util/vecmath.h"
+
+// How 64 bytes travel between functions depends on the processor compiled for; all of this program
+// is compiled for the same one.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+namespace pbrt {
+
+// Sixteen numbers side by side, one for each ray of a packet; arithmetic and comparison are lane by
+// lane, and the compiler splits what its registers cannot hold. Formulas that are written for a
+// type T with the functions below hold for one float and for sixteen. Where the compiler does not
+// find an instruction by itself, it is named.
+
+inline constexpr int kWide = 16;
+using WideFloat = float __attribute__((vector_size(64)));
+using WideInt = int32_t __attribute__((vector_size(64)));
+using WideUint = uint32_t __attribute__((vector_size(64)));
+/// What comparing gives: in each lane all bits or none.
+using WideMask = WideInt;
+/// One bit per lane, lane 0 lowest.
+using LaneBits = uint32_t;
+inline constexpr LaneBits kAllLanes = 0xffff;
+
+using WideVector3f = Vec3<WideFloat>;
+using WidePoint3f = Vec3<WideFloat>;
+using WideNormal3f = Vec3<WideFloat>;
+using WidePoint2f = Vec2<WideFloat>;
+
+/// The lanes 0 to n - 1.
+constexpr LaneBits FirstLanes(int n) {
+    return n >= kWide ? kAllLanes : (LaneBits(1) << n) - 1;
+}
+/// Calls f(lane) for each bit that is set, from the lowest.
+template <typename F>
+inline void ForEachLane(LaneBits lanes, F f) {
+    for (; lanes != 0; lanes &= lanes - 1)
+        f(std::countr_zero(lanes));
+}
+
+template <typename T>
+struct IsWideTrait : std::false_type {};
+template <>
+struct IsWideTrait<WideFloat> : std::true_type {};
+/// Whether T stands for sixteen numbers.
+template <typename T>
+inline constexpr bool IsWide = IsWideTrait<T>::value;
+
+// The same names for one float, so that templates can use them.
+inline float Select(bool condition, float a, float b) {
+    return condition ? a : b;
+}
+inline float Sqrt(float a) {
+    return std::sqrt(a);
+}
+inline float Abs(float a) {
+    return std::abs(a);
+}
+inline float Min(float a, float b) {
+    return std::min(a, b);
+}
+inline float Max(float a, float b) {
+    return std::max(a, b);
+}
+inline float Floor(float a) {
+    return std::floor(a);
+}
+inline float CopySign(float size, float sign) {
+    return std::copysign(size, sign);
+}
+inline bool Any(bool condition) {
+    return condition;
+}
+
+inline WideFloat Broadcast16(float x) {
+    return WideFloat{} + x;
+}
+/// a where the mask holds, else b.
+inline WideFloat Select(WideMask mask, WideFloat a, WideFloat b) {
+    return mask ? a : b;
+}
+inline WideFloat Select(WideMask mask, float a, WideFloat b) {
+    return mask ? Broadcast16(a) : b;
+}
+inline WideFloat Select(WideMask mask, WideFloat a, float b) {
+    return mask ? a : Broadcast16(b);
+}
+inline WideFloat Select(WideMask mask, float a, float b) {
+    return mask ? Broadcast16(a) : Broadcast16(b);
+}
+template <typename M, typename T>
+inline Vec3<T> Select(M mask, Vec3<T> a, Vec3<T> b) {
+    return {Select(mask, a.x, b.x), Select(mask, a.y, b.y), Select(mask, a.z, b.z)};
+}
+inline WideFloat Sqrt(WideFloat a) {
+    for (int i = 0; i < kWide; ++i)  // one instruction
+        a[i] = std::sqrt(a[i]);
+    return a;
+}
+inline WideFloat Floor(WideFloat a) {
+    for (int i = 0; i < kWide; ++i)  // one instruction
+        a[i] = std::floor(a[i]);
+    return a;
+}
+inline WideFloat Abs(WideFloat a) {
+    return std::bit_cast<WideFloat>(std::bit_cast<WideInt>(a) & 0x7fffffff);
+}
+inline WideFloat CopySign(WideFloat size, WideFloat sign) {
+    return std::bit_cast<WideFloat>((std::bit_cast<WideInt>(size) & 0x7fffffff) |
+                                    (std::bit_cast<WideInt>(sign) & ~0x7fffffff));
+}
+inline WideFloat CopySign(float size, WideFloat sign) {
+    return CopySign(Broadcast16(size), sign);
+}
+inline WideFloat Min(WideFloat a, WideFloat b) {
+    return a < b ? a : b;
+}
+inline WideFloat Min(WideFloat a, float b) {
+    return Min(a, Broadcast16(b));
+}
+inline WideFloat Max(WideFloat a, WideFloat b) {
+    return a > b ? a : b;
+}
+inline WideFloat Max(WideFloat a, float b) {
+    return Max(a, Broadcast16(b));
+}
+inline Vec3<WideFloat> Abs(Vec3<WideFloat> a) {
+    return {Abs(a.x), Abs(a.y), Abs(a.z)};
+}
+inline WideFloat Length(Vec3<WideFloat> a) {
+    return Sqrt(Dot(a, a));
+}
+inline Vec3<WideFloat> Normalize(Vec3<WideFloat> a) {
+    return a * (1 / Length(a));
+}
+
+inline LaneBits BitsOf(WideMask mask) {
+#if defined(__AVX512F__)
+    const __m512i v = std::bit_cast<__m512i>(mask);
+    return _mm512_test_epi32_mask(v, v);
+#else
+    LaneBits bits = 0;
+    for (int i = 0; i < kWide; ++i)
+        bits |= LaneBits(mask[i] < 0) << i;
+    return bits;
+#endif
+}
+inline WideMask MaskOf(LaneBits bits) {
+    constexpr WideInt kBit{1 << 0, 1 << 1, 1 << 2,  1 << 3,  1 << 4,  1 << 5,  1 << 6,  1 << 7,
+                           1 << 8, 1 << 9, 1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 15};
+    return (kBit & int32_t(bits)) != 0;
+}
+inline bool Any(WideMask mask) {
+    return BitsOf(mask) != 0;
+}
+
+/// 16 successive numbers; any alignment.
+inline WideFloat LoadWide(const float *from) {
+    WideFloat v;
+    __builtin_memcpy(&v, from, sizeof v);
+    return v;
+}
+inline WideUint LoadWide(const uint32_t *from) {
+    WideUint v;
+    __builtin_memcpy(&v, from, sizeof v);
+    return v;
+}
+inline void StoreWide(WideFloat v, float *to) {
+    __builtin_memcpy(to, &v, sizeof v);
+}
+inline void StoreWide(WideUint v, uint32_t *to) {
+    __builtin_memcpy(to, &v, sizeof v);
+}
+
+/// from[index[lane]] in each lane; every index must be readable.
+inline WideFloat Gather(const float *from, WideUint index) {
+#if defined(__AVX512F__)
+    return std::bit_cast<WideFloat>(_mm512_i32gather_ps(std::bit_cast<__m512i>(index), from, 4));
+#else
+    WideFloat v;
+    for (int i = 0; i < kWide; ++i)
+        v[i] = from[index[i]];
+    return v;
+#endif
+}
+/// to[index[lane]] = v[lane] in the given lanes; of equal indices the last lane's counts.
+inline void Scatter(float *to, WideUint index, WideFloat v, LaneBits lanes) {
+    ForEachLane(lanes, [&](int i) { to[index[i]] = v[i]; });
+}
+
+/// Lane i of a point or vector.
+inline Vector3f Lane(const Vec3<WideFloat> &v, int i) {
+    return {v.x[i], v.y[i], v.z[i]};
+}
+inline void SetLane(Vec3<WideFloat> *v, int i, Vector3f value) {
+    v->x[i] = value.x, v->y[i] = value.y, v->z[i] = value.z;
+}
+
+}  // namespace pbrt
