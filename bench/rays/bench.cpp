@@ -1,16 +1,18 @@
 // Rays per second of one thread against Embree alone, on the rays that diffuse paths take through a
-// scene: camera rays and up to four cosine-distributed bounces, in the order of their tracing.
+// scene: camera rays and up to four cosine-distributed bounces, in the order of their tracing. Then
+// single rays against packets of 16, for each kind of ray.
 //   bench_rays scene.pbrt [rounds, default 9]
+
+#include <fmt/format.h>
 
 #include <cstdio>
 #include <cstdlib>
 
+#include "bench/rays/ray_kinds.h"
 #include "bench/stopwatch.h"
 #include "pbrt/accel/query.h"
 #include "pbrt/cpu/build.h"
 #include "pbrt/scene/parser.h"
-#include "pbrt/util/rng.h"
-#include "pbrt/util/sampling.h"
 
 namespace pbrt::bench {
 namespace {
@@ -47,7 +49,7 @@ double TraceBare(const std::vector<RTCRayHit> &rays, const std::vector<Ray> &own
     double sum = 0;
     for (size_t i = 0; i < rays.size(); ++i) {
         RTCRayHit rh = rays[i];
-        QueryContext context(&own[i], nullptr, nullptr);
+        QueryContext context(own[i], nullptr, nullptr);
         Intersect1(scene, &context.embree, &rh);
         sum += rh.hit.geomID == RTC_INVALID_GEOMETRY_ID ? 0 : rh.ray.tfar;
     }
@@ -97,6 +99,62 @@ void Compare(const World &world, int rounds) {
                     1e3 / watch.Nanoseconds(name), 100 * limit / watch.Nanoseconds(name));
 }
 
+void Report(const Stopwatch &watch, const RayKind &kind, const char *query) {
+    const std::string name = fmt::format("{} {}", kind.name, query);
+    const double single = watch.Nanoseconds(name), packet = watch.Nanoseconds(name + " 16");
+    std::printf("%-22s %7.1f ns single  %7.1f ns in packets  %5.2f x  (%zu rays)\n", name.c_str(),
+                single, packet, single / packet, kind.rays.size());
+}
+
+void AddIntersections(Stopwatch *watch, const Accel &accel, const RayKind &kind) {
+    const int n = int(kind.rays.size());
+    const std::string name = fmt::format("{} Intersect", kind.name);
+    watch->Add(name, n, [&] {
+        double sum = 0;
+        Hit hit;
+        for (const Ray &ray : kind.rays)
+            sum += accel.Intersect(ray, &hit) ? hit.t : 0;
+        return sum;
+    });
+    watch->Add(name + " 16", n, [&] {
+        WideFloat sum{};
+        HitPacket hits{};
+        for (size_t i = 0; i < kind.packets.size(); ++i)
+            sum += Select(MaskOf(accel.Intersect(kind.packets[i], kind.active[i], &hits)), hits.t,
+                          0.f);
+        return double(sum[0]);
+    });
+}
+
+void AddOcclusions(Stopwatch *watch, const Accel &accel, const RayKind &kind) {
+    const int n = int(kind.rays.size());
+    const std::string name = fmt::format("{} Occluded", kind.name);
+    watch->Add(name, n, [&] {
+        int blocked = 0;
+        for (const Ray &ray : kind.rays)
+            blocked += accel.Occluded(ray);
+        return double(blocked);
+    });
+    watch->Add(name + " 16", n, [&] {
+        int blocked = 0;
+        for (size_t i = 0; i < kind.packets.size(); ++i)
+            blocked += std::popcount(accel.Occluded(kind.packets[i], kind.active[i]));
+        return double(blocked);
+    });
+}
+
+void ComparePackets(const World &world, int rounds) {
+    const RayKinds kinds(world);
+    Stopwatch watch;
+    AddIntersections(&watch, *world.accel, kinds.camera);
+    AddIntersections(&watch, *world.accel, kinds.bounce);
+    AddOcclusions(&watch, *world.accel, kinds.shadow);
+    watch.Run(rounds);
+    Report(watch, kinds.camera, "Intersect");
+    Report(watch, kinds.bounce, "Intersect");
+    Report(watch, kinds.shadow, "Occluded");
+}
+
 int Main(int argc, char **argv) {
     if (argc < 2) {
         std::fprintf(stderr, "usage: bench_rays scene.pbrt [rounds]\n");
@@ -109,7 +167,9 @@ int Main(int argc, char **argv) {
     for (const Message &m : log.Messages())
         std::fprintf(stderr, "%s\n", m.text.c_str());
     if (!world) return 1;
-    Compare(*world, argc > 2 ? std::atoi(argv[2]) : 9);
+    const int rounds = argc > 2 ? std::atoi(argv[2]) : 9;
+    Compare(*world, rounds);
+    ComparePackets(*world, rounds);
     return 0;
 }
 

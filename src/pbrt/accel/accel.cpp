@@ -2,40 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <atomic>
-#include <deque>
-#include <limits>
-
-#include "pbrt/accel/user_geometry.h"
+#include "pbrt/accel/impl.h"
 
 namespace pbrt {
-
-struct Accel::Impl {
-    std::span<const Geometry> geometries;
-    std::span<const ObjectRange> objects;
-    std::span<const Instance> instances;
-    uint32_t nTop;
-    RTCDevice device = nullptr;
-    RTCScene scene = nullptr;
-    std::vector<RTCScene> objectScenes;
-    std::vector<GeometryRecord> records;  ///< one a geometry
-    std::deque<QuadricSet> quadrics;      ///< one a scene that has some
-    std::atomic<int64_t> bytes{0};
-    std::string error;
-
-    Impl(std::span<const Geometry> geometries, uint32_t nTop, std::span<const ObjectRange> objects,
-         std::span<const Instance> instances)
-        : geometries(geometries), objects(objects), instances(instances), nTop(nTop) {}
-    ~Impl();
-    Impl(const Impl &) = delete;
-    Impl &operator=(const Impl &) = delete;
-
-    void Build(int nThreads);
-    RTCScene NewScene(uint32_t first, uint32_t last, uint32_t quadricsId);
-    RTCGeometry NewGeometry(const GeometryRecord &record);
-    void AttachInstance(uint32_t index);
-    void Attach(RTCScene target, RTCGeometry geometry, uint32_t id);
-};
 
 namespace {
 
@@ -221,54 +190,6 @@ Accel &Accel::operator=(Accel &&) noexcept = default;
 
 const std::string &Accel::Error() const {
     return impl->error;
-}
-
-namespace {
-
-void SetRay(const Ray &ray, RTCRay *r) {
-    r->org_x = ray.o.x, r->org_y = ray.o.y, r->org_z = ray.o.z;
-    // Not 0: Embree counts a hit at tnear, and a ray may start exactly in a triangle's plane.
-    r->tnear = std::numeric_limits<float>::min();
-    r->dir_x = ray.d.x, r->dir_y = ray.d.y, r->dir_z = ray.d.z;
-    r->time = ray.time;
-    r->tfar = ray.tMax;
-    r->mask = ~0u;
-    r->id = 0;
-    r->flags = 0;
-}
-
-}  // namespace
-
-bool Accel::Intersect(const Ray &ray, Hit *hit) const {
-    RTCRayHit rh;
-    SetRay(ray, &rh.ray);
-    rh.hit.geomID = rh.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    QueryContext context(&ray, nullptr, nullptr);
-    Intersect1(impl->scene, &context.embree, &rh);
-    if (rh.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
-    *hit = {rh.ray.tfar, rh.hit.u, rh.hit.v, rh.hit.geomID, rh.hit.primID, ~0u};
-    if (rh.hit.instID[0] != RTC_INVALID_GEOMETRY_ID) {
-        hit->instance = rh.hit.instID[0] - impl->nTop;
-        hit->geometry += impl->objects[impl->instances[hit->instance].object].first;
-    }
-    return true;
-}
-
-bool Accel::Occluded(const Ray &ray) const {
-    RTCRay r;
-    SetRay(ray, &r);
-    QueryContext context(&ray, nullptr, nullptr);
-    Occluded1(impl->scene, &context.embree, &r);
-    return r.tfar < 0;
-}
-
-float Accel::Transmittance(const Ray &ray, const GapTransmittance &gaps) const {
-    RTCRay r;
-    SetRay(ray, &r);
-    double passed = 1;
-    QueryContext context(&ray, &gaps, &passed);
-    Occluded1(impl->scene, &context.embree, &r);
-    return r.tfar < 0 ? 0 : float(passed);
 }
 
 Bounds3f Accel::WorldBounds() const {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "pbrt/accel/packet.h"
 #include "pbrt/shapes/shape.h"
 #include "pbrt/textures/texture.h"
 
@@ -76,6 +77,17 @@ class Accel {
     /// Fraction of light that passes along the ray: 0 where opaque, the product of `gaps` over
     /// surfaces with passesLight, any number of them. One traversal.
     float Transmittance(const Ray &ray, const GapTransmittance &gaps) const;
+
+    // The same for the active lanes of a packet; other lanes are neither read nor written. A lane
+    // finds what a single ray finds, but where rounding decides (edges, grazing rays).
+
+    /// Lanes that hit; of `hits` these alone are written.
+    LaneBits Intersect(const RayPacket &rays, LaneBits active, HitPacket *hits) const;
+    /// Lanes where anything opaque stands.
+    LaneBits Occluded(const RayPacket &rays, LaneBits active) const;
+    void Transmittance(const RayPacket &rays, LaneBits active, const GapTransmittance &gaps,
+                       WideFloat *passed) const;
+
     bool HasGaps() const { return hasGaps; }
 
     Bounds3f WorldBounds() const;

@@ -29,6 +29,19 @@ inline void Occluded1(RTCScene scene, EmbreeContext *context, RTCRay *ray) {
     arguments.context = context;
     rtcOccluded1(scene, ray, &arguments);
 }
+inline void Intersect16(RTCScene scene, EmbreeContext *context, const int *valid,
+                        RTCRayHit16 *rayHits) {
+    RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    arguments.context = context;
+    rtcIntersect16(valid, scene, rayHits, &arguments);
+}
+inline void Occluded16(RTCScene scene, EmbreeContext *context, const int *valid, RTCRay16 *rays) {
+    RTCOccludedArguments arguments;
+    rtcInitOccludedArguments(&arguments);
+    arguments.context = context;
+    rtcOccluded16(valid, scene, rays, &arguments);
+}
 
 #else
 
@@ -42,6 +55,13 @@ inline void Intersect1(RTCScene scene, EmbreeContext *context, RTCRayHit *rayHit
 }
 inline void Occluded1(RTCScene scene, EmbreeContext *context, RTCRay *ray) {
     rtcOccluded1(scene, context, ray);
+}
+inline void Intersect16(RTCScene scene, EmbreeContext *context, const int *valid,
+                        RTCRayHit16 *rayHits) {
+    rtcIntersect16(valid, scene, context, rayHits);
+}
+inline void Occluded16(RTCScene scene, EmbreeContext *context, const int *valid, RTCRay16 *rays) {
+    rtcOccluded16(valid, scene, context, rays);
 }
 
 #endif

@@ -26,7 +26,7 @@ bool IsCutOut(const GeometryRecord &record, const Hit &hit, const Ray &ray, cons
 
 bool Blocks(const GeometryRecord &record, const Hit &hit, const Ray &ray, QueryContext &context,
             unsigned id, int crossing) {
-    const Ray &worldRay = context.rays[id];
+    const Ray worldRay = context.WorldRay(id);
     if (record.hasAlpha && IsCutOut(record, hit, ray, worldRay, crossing)) return false;
     if (!record.geometry->passesLight || !context.gaps) return true;
     double &passed = context.passed[id];
@@ -66,7 +66,7 @@ void FilterIntersection(const RTCFilterFunctionNArguments *args) {
     for (unsigned i = 0; i < args->N; ++i) {
         if (args->valid[i] == 0) continue;
         const Candidate c(args, i);
-        if (IsCutOut(c.record, c.hit, c.ray, c.context.rays[c.id], 0)) args->valid[i] = 0;
+        if (IsCutOut(c.record, c.hit, c.ray, c.context.WorldRay(c.id), 0)) args->valid[i] = 0;
     }
 }
 

@@ -2,21 +2,29 @@
 
 #include "pbrt/accel/accel.h"
 #include "pbrt/accel/embree_api.h"
+#include "pbrt/accel/packet.h"
 
 namespace pbrt {
 
-/// Travels with each query through Embree to the callbacks. `rays` and `passed` are indexed by the
-/// ray's id.
+/// Travels with each query through Embree to the callbacks. A ray's id is its lane, 0 for a single
+/// one.
 struct QueryContext {
     EmbreeContext embree;  ///< first: Embree hands back its address
-    const Ray *rays;
+    const Ray *single;     ///< null: a packet
+    const RayPacket *packet;
     const GapTransmittance *gaps;  ///< null: surfaces with gaps are opaque
-    double *passed;  ///< product of gap fractions; in double, so that its order hardly matters
+    /// By id: product of gap fractions; in double, so that its order hardly matters.
+    double *passed;
 
-    QueryContext(const Ray *rays, const GapTransmittance *gaps, double *passed)
-        : rays(rays), gaps(gaps), passed(passed) {
+    QueryContext(const Ray &ray, const GapTransmittance *gaps, double *passed)
+        : single(&ray), packet(nullptr), gaps(gaps), passed(passed) {
         InitContext(&embree);
     }
+    QueryContext(const RayPacket &rays, const GapTransmittance *gaps, double *passed)
+        : single(nullptr), packet(&rays), gaps(gaps), passed(passed) {
+        InitContext(&embree);
+    }
+    Ray WorldRay(unsigned id) const { return single ? *single : packet->At(int(id)); }
     static QueryContext &Of(EmbreeContext *context) {
         return *reinterpret_cast<QueryContext *>(context);
     }

@@ -89,7 +89,7 @@ void IntersectUser(const RTCIntersectFunctionNArguments *args) {
             primitive, primitive.Index(args->primID), ray, context.embree,
             [&](const Hit &hit, int crossing) {
                 return !record.hasAlpha ||
-                       !IsCutOut(record, hit, ray, context.rays[RTCRayN_id(r, n, i)], crossing);
+                       !IsCutOut(record, hit, ray, context.WorldRay(RTCRayN_id(r, n, i)), crossing);
             });
         if (!hit) continue;
         RTCRayN_tfar(r, n, i) = hit->t;

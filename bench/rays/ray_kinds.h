@@ -1,0 +1,90 @@
+#pragma once
+
+#include <vector>
+
+#include "pbrt/cpu/world.h"
+#include "pbrt/util/rng.h"
+#include "pbrt/util/sampling.h"
+
+namespace pbrt::bench {
+
+/// Rays of one kind in the order of their tracing, singly and in packets. A packet holds rays of
+/// one batch at one step, so some have empty lanes.
+struct RayKind {
+    const char *name;
+    std::vector<Ray> rays = {};
+    std::vector<RayPacket> packets = {};
+    std::vector<LaneBits> active = {};
+
+    void Append(const std::vector<Ray> &step) {
+        rays.insert(rays.end(), step.begin(), step.end());
+        for (size_t i = 0; i < step.size(); ++i) {
+            if (i % kWide == 0) {
+                packets.emplace_back();
+                active.push_back(0);
+            }
+            packets.back().Set(int(i % kWide), step[i]);
+            active.back() |= 1u << i % kWide;
+        }
+    }
+};
+
+/// What diffuse paths trace in batches of 16 neighbouring pixels by 64 samples, step by step: rays
+/// from the camera, cosine-distributed bounces (up to four), and a shadow ray at each vertex that a
+/// light was drawn for.
+class RayKinds {
+  public:
+    explicit RayKinds(const World &world) : world(world), rng(1) {
+        const Point2i resolution = world.film.FullResolution();
+        for (int batch = 0; batch < kBatches; ++batch)
+            Trace({std::floor(rng.Uniform() * (resolution.x - 4)),
+                   std::floor(rng.Uniform() * (resolution.y - 4))});
+    }
+    RayKind camera{"camera"}, bounce{"bounce"}, shadow{"shadow"};
+
+  private:
+    static constexpr int kBatches = 100, kSamples = 64, kMaxBounces = 4;
+
+    void Trace(Point2f corner) {
+        std::vector<Ray> rays;
+        for (int pixel = 0; pixel < 16; ++pixel)
+            for (int k = 0; k < kSamples; ++k) {
+                const Point2f in = rng.Uniform2D(), lens = rng.Uniform2D();
+                const Point2f film{corner.x + pixel % 4 + in.x, corner.y + pixel / 4 + in.y};
+                rays.push_back(world.camera.GenerateRay(film, lens, rng.Uniform()));
+            }
+        for (int step = 0; step <= kMaxBounces; ++step) {
+            (step == 0 ? camera : bounce).Append(rays);
+            std::vector<Ray> next, shadows;
+            for (const Ray &ray : rays)
+                Scatter(ray, &next, &shadows);
+            shadow.Append(shadows);
+            rays = std::move(next);
+        }
+    }
+
+    void Scatter(const Ray &ray, std::vector<Ray> *next, std::vector<Ray> *shadows) {
+        Hit hit;
+        if (!world.accel->Intersect(ray, &hit)) return;
+        const SurfacePoint sp = world.Interact(hit, ray);
+        const Normal3f n = Dot(sp.n, ray.d) > 0 ? -sp.n : sp.n;
+        const LightSampleContext ctx{sp.p, n, n};
+        const auto lambda = SampledWavelengths::SampleVisible(rng.Uniform());
+        const float uLight = rng.Uniform();
+        const Point2f u = rng.Uniform2D();
+        if (const auto chosen = world.lightSampler.Sample(ctx, uLight)) {
+            const auto ls = SampleLi(world.lights[size_t(chosen->light)], ctx, u, lambda);
+            if (ls && Dot(ls->wi, n) > 0) {
+                const Point3f from = sp.OffsetOrigin(ls->wi);
+                shadows->push_back({from, ls->pLight - from, 1 - 1e-4f, ray.time});
+            }
+        }
+        const Vector3f w = Frame::FromZ(n).FromLocal(SampleCosineHemisphere(rng.Uniform2D()));
+        next->push_back({sp.OffsetOrigin(w), w, Infinity, ray.time});
+    }
+
+    const World &world;
+    Rng rng;
+};
+
+}  // namespace pbrt::bench

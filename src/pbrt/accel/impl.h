@@ -1,0 +1,38 @@
+#pragma once
+
+#include <atomic>
+#include <deque>
+
+#include "pbrt/accel/accel.h"
+#include "pbrt/accel/user_geometry.h"
+
+namespace pbrt {
+
+struct Accel::Impl {
+    std::span<const Geometry> geometries;
+    std::span<const ObjectRange> objects;
+    std::span<const Instance> instances;
+    uint32_t nTop;
+    RTCDevice device = nullptr;
+    RTCScene scene = nullptr;
+    std::vector<RTCScene> objectScenes;
+    std::vector<GeometryRecord> records;  ///< one a geometry
+    std::deque<QuadricSet> quadrics;      ///< one a scene that has some
+    std::atomic<int64_t> bytes{0};
+    std::string error;
+
+    Impl(std::span<const Geometry> geometries, uint32_t nTop, std::span<const ObjectRange> objects,
+         std::span<const Instance> instances)
+        : geometries(geometries), objects(objects), instances(instances), nTop(nTop) {}
+    ~Impl();
+    Impl(const Impl &) = delete;
+    Impl &operator=(const Impl &) = delete;
+
+    void Build(int nThreads);
+    RTCScene NewScene(uint32_t first, uint32_t last, uint32_t quadricsId);
+    RTCGeometry NewGeometry(const GeometryRecord &record);
+    void AttachInstance(uint32_t index);
+    void Attach(RTCScene target, RTCGeometry geometry, uint32_t id);
+};
+
+}  // namespace pbrt
