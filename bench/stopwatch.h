@@ -38,6 +38,13 @@ class Stopwatch {
                                     [&](const Entry &entry) { return entry.name == name; });
         return e->seconds * 1e9 / e->calls;
     }
+    /// Names and nanoseconds of all, in the order they were added.
+    std::vector<std::pair<std::string, double>> All() const {
+        std::vector<std::pair<std::string, double>> all;
+        for (const Entry &e : entries)
+            all.emplace_back(e.name, e.seconds * 1e9 / e.calls);
+        return all;
+    }
 
   private:
     struct Entry {

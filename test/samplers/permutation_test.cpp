@@ -36,7 +36,7 @@ TEST(Permutation, PlacesAreUniform) {
         std::vector<int> place(n), pair(n * n);
         for (int t = 0; t < trials; ++t) {
             const uint32_t walk = rng.Next32(), turn = rng.Next32();
-            const uint32_t a = permutation(0, walk, turn), b = permutation(1, walk, turn);
+            const uint32_t a = permutation(0u, walk, turn), b = permutation(1u, walk, turn);
             ++place[a];
             ++pair[a * n + b];
         }

@@ -59,7 +59,8 @@ TEST_P(Owen, FlipsEachDigitHalfTheTime) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Sobol, Owen, testing::Values(OwenReversed, FastOwenReversed));
+INSTANTIATE_TEST_SUITE_P(Sobol, Owen,
+                         testing::Values(OwenReversed<uint32_t>, FastOwenReversed<uint32_t>));
 
 }  // namespace
 }  // namespace pbrt

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "pbrt/samplers/pixel_table.h"
 #include "pbrt/samplers/sampler.h"
-#include "pbrt/util/hash.h"
 
 namespace pbrt {
 
@@ -27,9 +27,22 @@ class IndependentSampler {
     }
     Point2f GetPixel2D() { return Get2D(); }
 
+    void StartBatch(std::span<const Point2i> pixels) { batch.Start(pixels, seed); }
+    WideFloat Get1D(int dimension, WideUint pixel, WideUint sampleIndex) const {
+        return Get2D(dimension, pixel, sampleIndex).x;
+    }
+    WidePoint2f Get2D(int dimension, WideUint pixel, WideUint sampleIndex) const {
+        // As Hash goes on.
+        const WideUint64 start =
+            Mix64((batch.At(pixel) + kGolden64) ^ __builtin_convertvector(sampleIndex, WideUint64));
+        const WideUint64 bits = Mix64(start + (uint64_t(dimension) + 1) * kGolden64);
+        return {ToUnitFloat(HighHalf(bits)), ToUnitFloat(LowHalf(bits))};
+    }
+
   private:
     int samplesPerPixel, seed;
     uint64_t state = 0;
+    PixelHashes batch;
 };
 
 }  // namespace pbrt

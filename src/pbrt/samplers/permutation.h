@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "pbrt/util/check.h"
-#include "pbrt/util/hash.h"
+#include "pbrt/util/wide.h"
 
 namespace pbrt {
 
@@ -12,21 +12,23 @@ namespace pbrt {
 /// i ^= i * even (each bit reaches the higher ones) and i ^= i >> half (the lower ones).
 /// How random: if the elements are dealt out to two dimensions by two keys, the variance of the
 /// product of two Walsh functions is that of random permutations, n / (n - 1), to within 20 % for
-/// n = 4 to 64; one nested shuffle alone is wrong by a factor n.
+/// n = 4 to 64; one nested shuffle alone is wrong by a factor n. U: uint32_t or WideUint.
 class BitPermutation {
   public:
     explicit BitPermutation(int bits)
         : mask(uint32_t((uint64_t(1) << bits) - 1)), shift((bits + 1) / 2) {}
 
-    uint32_t operator()(uint32_t i, uint32_t key) const {
+    template <typename U>
+    U operator()(U i, U key) const {
         // Any congruential step gives the rounds different keys.
-        const uint32_t key2 = key * 0x9e3779b9 + 0x7f4a7c15;
-        const uint32_t key3 = key2 * 0x9e3779b9 + 0x7f4a7c15;
+        const U key2 = key * 0x9e3779b9 + 0x7f4a7c15;
+        const U key3 = key2 * 0x9e3779b9 + 0x7f4a7c15;
         return (Round(Round(Round(i, key), key2), key3) + (key >> 8)) & mask;
     }
 
   private:
-    uint32_t Round(uint32_t i, uint32_t key) const {
+    template <typename U>
+    U Round(U i, U key) const {
         i += key >> 16;
         i = (i ^ (i * (key & ~1u))) & mask;
         return i ^ (i >> shift);
@@ -37,26 +39,20 @@ class BitPermutation {
 
 /// A random permutation of {0, ..., n - 1}, 1 <= n <= 2^20: a bijection of the next power of two,
 /// repeated until it hits the set ("cycle walking", Black and Rogaway 2002), and a rotation, which
-/// makes each place exactly as likely.
+/// makes each place exactly as likely. U: uint32_t or WideUint.
 class Permutation {
   public:
     explicit Permutation(uint32_t n) : n(n), bits(std::bit_width(n - 1)) {}
 
     uint32_t Size() const { return n; }
-    /// One step; to be repeated while the result is outside the set.
-    uint32_t Walk(uint32_t i, uint32_t key) const { return bits(i, key); }
-    bool Inside(uint32_t i) const { return i < n; }
-    uint32_t Rotate(uint32_t i, uint32_t key) const {
-        const uint32_t turned = i + uint32_t(int32_t(ToUnitFloat(key) * float(int32_t(n))));
-        return turned >= n ? turned - n : turned;
-    }
     /// Where i < n goes in the permutation chosen by two independent keys.
-    uint32_t operator()(uint32_t i, uint32_t walkKey, uint32_t turnKey) const {
-        DCHECK(i < n);
-        do {
-            i = Walk(i, walkKey);
-        } while (!Inside(i));
-        return Rotate(i, turnKey);
+    template <typename U>
+    U operator()(U i, U walkKey, U turnKey) const {
+        i = bits(i, walkKey);
+        while (Any(i >= n))
+            i = Select(i < n, i, bits(i, walkKey));
+        const U turned = i + Truncate(ToUnitFloat(turnKey) * float(int32_t(n)));
+        return Select(turned >= n, turned - n, turned);
     }
 
   private:

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <algorithm>
+#include <span>
 
 #include "pbrt/samplers/dimension_block.h"
 #include "pbrt/samplers/permutation.h"
+#include "pbrt/samplers/pixel_table.h"
 #include "pbrt/samplers/sampler.h"
 #include "pbrt/util/hash.h"
 
@@ -32,72 +33,69 @@ class StratifiedSampler {
         DCHECK(sampleIndex < SamplesPerPixel());
         index = uint32_t(sampleIndex);
         pixelBits = Hash(seed, p);
-        sampleBits = Mix64(pixelBits + kGolden64 * (index + 1));
         block.StartAt(dimension);
     }
-    float Get1D() { return single[NextLane()]; }
+    float Get1D() { return numbers.single[NextLane()]; }
     Point2f Get2D() {
         const int lane = NextLane();
-        return {x[lane], y[lane]};
+        return {numbers.x[lane], numbers.y[lane]};
     }
     Point2f GetPixel2D() { return Get2D(); }
 
+    void StartBatch(std::span<const Point2i> pixels) { batch.Start(pixels, seed); }
+    WideFloat Get1D(int dimension, WideUint pixel, WideUint sampleIndex) const {
+        return InBatch(dimension, pixel, sampleIndex).single;
+    }
+    WidePoint2f Get2D(int dimension, WideUint pixel, WideUint sampleIndex) const {
+        const Numbers n = InBatch(dimension, pixel, sampleIndex);
+        return {n.x, n.y};
+    }
+
   private:
-    static constexpr int kLanes = DimensionBlock::kSize;
-    using Lanes = uint32_t[kLanes];
+    struct Numbers {
+        WideFloat single, x, y;
+    };
 
     int NextLane() {
-        return block.Next([this](int first) { FillNumbers(uint32_t(first)); });
+        return block.Next([this](int first) {
+            numbers = NumbersOf(uint32_t(first) + kLaneNumbers, WideUint64{} + pixelBits,
+                                Broadcast16(index));
+        });
     }
-    void FillCells(uint32_t first, Lanes &cell) const;
-    void FillNumbers(uint32_t first);
+    Numbers InBatch(int dimension, WideUint pixel, WideUint sampleIndex) const {
+        return NumbersOf(Broadcast16(uint32_t(dimension)), batch.At(pixel),
+                         Select(sampleIndex < order.Size(), sampleIndex, WideUint{}));
+    }
+    Numbers NumbersOf(WideUint dimension, const WideUint64 &hashes, WideUint sampleIndex) const;
 
     Permutation order;
     float xSamples, ySamples;
     float spread, middle;  ///< place in a cell: middle + spread * random
     int seed;
     uint32_t index = 0;
-    uint64_t pixelBits = 0, sampleBits = 0;
+    uint64_t pixelBits = 0;
     DimensionBlock block;
-    float single[kLanes] = {}, x[kLanes] = {}, y[kLanes] = {};
+    Numbers numbers{};
+    PixelHashes batch;
 };
 
-inline void StratifiedSampler::FillCells(uint32_t first, Lanes &cell) const {
-    Lanes walkKey;
-    for (int i = 0; i < kLanes; ++i) {
-        walkKey[i] = Mix32((first + uint32_t(i)) * 0x9e3779b9 + uint32_t(pixelBits));
-        cell[i] = order.Walk(index, walkKey[i]);
-    }
-    uint32_t outside;
-    do {
-        outside = 0;
-        for (int i = 0; i < kLanes; ++i) {
-            const uint32_t further = order.Walk(cell[i], walkKey[i]);
-            cell[i] = order.Inside(cell[i]) ? cell[i] : further;
-            outside |= uint32_t(!order.Inside(cell[i]));
-        }
-    } while (outside);
-    for (int i = 0; i < kLanes; ++i) {
-        const uint32_t dimension = first + uint32_t(i);
-        cell[i] = order.Rotate(cell[i], Mix32(dimension * 0x9e3779b9 + uint32_t(pixelBits >> 32)));
-    }
-}
-
-inline void StratifiedSampler::FillNumbers(uint32_t first) {
-    Lanes cell;
-    FillCells(first, cell);
+inline StratifiedSampler::Numbers StratifiedSampler::NumbersOf(WideUint dimension,
+                                                               const WideUint64 &hashes,
+                                                               WideUint sampleIndex) const {
+    const WideUint step = dimension * 0x9e3779b9;
+    const WideUint cell =
+        order(sampleIndex, Mix32(step + LowHalf(hashes)), Mix32(step + HighHalf(hashes)));
+    const WideUint64 sampleBits =
+        Mix64(hashes + kGolden64 * __builtin_convertvector(sampleIndex + 1, WideUint64));
+    const WideFloat inX = middle + spread * ToUnitFloat(Mix32(step + LowHalf(sampleBits)));
+    const WideFloat inY = middle + spread * ToUnitFloat(Mix32(step + HighHalf(sampleBits)));
     const float width = 1 / xSamples, height = 1 / ySamples;
-    for (int i = 0; i < kLanes; ++i) {
-        const uint32_t step = (first + uint32_t(i)) * 0x9e3779b9;
-        const float inX = middle + spread * ToUnitFloat(Mix32(step + uint32_t(sampleBits)));
-        const float inY = middle + spread * ToUnitFloat(Mix32(step + uint32_t(sampleBits >> 32)));
-        const float place = float(int32_t(cell[i]));
-        // Half a cell away from the integers rounding does not matter up to 2^20 cells.
-        const float row = float(int32_t((place + 0.5f) * width));
-        single[i] = std::min((place + inX) * (width * height), OneMinusEpsilon);
-        x[i] = std::min((place - row * xSamples + inX) * width, OneMinusEpsilon);
-        y[i] = std::min((row + inY) * height, OneMinusEpsilon);
-    }
+    const WideFloat place = ToFloat(cell);
+    // Half a cell away from the integers rounding does not matter up to 2^20 cells.
+    const WideFloat row = Floor((place + 0.5f) * width);
+    return {Min((place + inX) * (width * height), OneMinusEpsilon),
+            Min((place - row * xSamples + inX) * width, OneMinusEpsilon),
+            Min((row + inY) * height, OneMinusEpsilon)};
 }
 
 }  // namespace pbrt

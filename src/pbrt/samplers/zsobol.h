@@ -2,9 +2,11 @@
 
 #include <array>
 #include <bit>
+#include <span>
 
 #include "pbrt/samplers/dimension_block.h"
 #include "pbrt/samplers/permutation.h"
+#include "pbrt/samplers/pixel_table.h"
 #include "pbrt/samplers/sampler.h"
 #include "pbrt/samplers/sobol.h"
 #include "pbrt/util/check.h"
@@ -23,8 +25,10 @@ enum class Randomization { None, PermuteDigits, Owen, FastOwen };
 /// two dimensions depend on each other (see BitPermutation), and buys only that the first few
 /// samples of a pixel are a net too.
 ///
-/// Numbers are made for sixteen dimensions at a time (the loops vectorise); what depends on the
-/// pixel and not on the index is kept, so a pixel's samples should be taken one after another.
+/// Numbers are made sixteen at a time: as many dimensions of one sample, or as many samples of a
+/// batch in one dimension. What depends on the pixel and not on the index is kept: of one pixel for
+/// the first 64 dimensions, so its samples should be taken one after another; of a batch for the
+/// last sixteen dimensions asked for.
 class ZSobolSampler {
   public:
     static constexpr std::string_view kName = "zsobol";
@@ -57,26 +61,57 @@ class ZSobolSampler {
     float Get1D() { return Get2D().x; }
     Point2f Get2D() {
         const int lane = block.Next([this](int first) { FillNumbers(first); });
-        return {x[lane], y[lane]};
+        return {numbers.x[lane], numbers.y[lane]};
     }
     Point2f GetPixel2D() { return Get2D(); }
 
-  private:
-    static constexpr int kLanes = DimensionBlock::kSize, kKnownBlocks = 4;
-    using Lanes = uint32_t[kLanes];
+    void StartBatch(std::span<const Point2i> pixels);
+    WideFloat Get1D(int dimension, WideUint pixel, WideUint sampleIndex) {
+        return Get2D(dimension, pixel, sampleIndex).x;
+    }
+    WidePoint2f Get2D(int dimension, WideUint pixel, WideUint sampleIndex) {
+        const BatchDimension &t = InBatch(dimension);
+        return Numbers({t.firstPoint.At(pixel), t.carry.At(pixel), t.order.At(pixel)}, t.keys,
+                       sampleIndex);
+    }
 
-    /// What sixteen successive dimensions need to know about the pixel.
+  private:
+    static constexpr int kKnownBlocks = 4, kKnownDimensions = 16;
+
+    /// What a dimension needs to know about a pixel, sixteen times.
+    struct PixelPlace {
+        WideUint firstPoint;  ///< place of the pixel's samples in the sequence, modulo 2^32
+        WideUint carry;       ///< that place divided by 2^32
+        WideUint order;       ///< key of the order of the samples
+    };
+    struct DimensionKeys {
+        WideUint order, x, y;
+    };
     struct PixelBlock {
-        Lanes firstPoint;  ///< place of the pixel's samples in the sequence, modulo 2^32
-        Lanes carry;       ///< that place divided by 2^32
-        Lanes order;       ///< key of the order of the samples
-        Lanes keyX, keyY;
+        PixelPlace place;
+        DimensionKeys keys;
+    };
+    struct BatchDimension {
+        int dimension = -1;
+        DimensionKeys keys;
+        PixelTable firstPoint, carry, order;
     };
 
-    void FillPixelBlock(int first, PixelBlock &b) const;
-    void FillNumbers(int first);
+    DimensionKeys KeysOf(WideUint dimension) const;
+    PixelPlace PlaceOf(WideUint mortonCode, const DimensionKeys &keys) const;
+    WidePoint2f Numbers(const PixelPlace &place, const DimensionKeys &keys,
+                        WideUint sampleIndex) const;
     template <typename Scramble>
-    void FillNumbers(const PixelBlock &b, Scramble scramble);
+    WidePoint2f Numbers(const PixelPlace &place, const DimensionKeys &keys, WideUint sampleIndex,
+                        Scramble scramble) const;
+    void FillNumbers(int first);
+    const BatchDimension &InBatch(int dimension) {
+        BatchDimension &t = batch[size_t(dimension % kKnownDimensions)];
+        if (t.dimension != dimension) [[unlikely]]
+            FillBatchDimension(dimension, t);
+        return t;
+    }
+    void FillBatchDimension(int dimension, BatchDimension &t) const;
 
     int log2Samples, levels;
     Randomization randomization;
@@ -85,72 +120,94 @@ class ZSobolSampler {
     uint32_t knownBlocks = 0;  ///< bit k: pixelBlocks[k] holds for the current pixel
     uint32_t index = 0;        ///< of the current sample
     DimensionBlock block;
-    float x[kLanes] = {}, y[kLanes] = {};
+    WidePoint2f numbers;
     std::array<PixelBlock, kKnownBlocks> pixelBlocks{};
+    PixelTable batchMorton;
+    std::array<BatchDimension, kKnownDimensions> batch;  ///< [dimension % size]
 };
 
-inline void ZSobolSampler::FillPixelBlock(int first, PixelBlock &b) const {
-    Lanes keys, pixelIndex = {};
-    for (int i = 0; i < kLanes; ++i) {
-        const uint32_t dimension = uint32_t(first + i);
-        keys[i] = Mix32(dimension * 0x9e3779b9 + seedBits);
-        b.keyX[i] = Mix32(keys[i] + 1);
-        b.keyY[i] = Mix32(keys[i] + 2);
-        b.order[i] = Mix32(Mix32(morton + 3) ^ keys[i]);
-    }
+inline ZSobolSampler::DimensionKeys ZSobolSampler::KeysOf(WideUint dimension) const {
+    const WideUint key = Mix32(dimension * 0x9e3779b9 + seedBits);
+    return {key, Mix32(key + 1), Mix32(key + 2)};
+}
+
+inline ZSobolSampler::PixelPlace ZSobolSampler::PlaceOf(WideUint mortonCode,
+                                                        const DimensionKeys &keys) const {
+    WideUint pixelIndex{};
     for (int level = levels - 1; level >= 0; --level) {
         // A node of the quadtree: the digits above this one, and a bit that tells how many.
         const uint32_t depthBit = uint32_t(1) << (2 * (levels - 1 - level));
-        const uint32_t node = Mix32((uint32_t(uint64_t(morton) >> (2 * level + 2))) | depthBit);
-        const uint32_t digit = morton >> (2 * level);
-        const uint32_t low = -(digit & 1), high = -((digit >> 1) & 1);
-        for (int i = 0; i < kLanes; ++i) {
-            // Each permutation of four things is an affine map of GF(2)^2: two different columns
-            // other than 0, and a constant.
-            const uint32_t h = Mix32(node ^ keys[i]);
-            const uint32_t a = 1 + (((h >> 16) * 3) >> 16);
-            const uint32_t further = a + 1 + ((h >> 2) & 1);
-            const uint32_t c = further > 3 ? further - 3 : further;
-            pixelIndex[i] = (pixelIndex[i] << 2) | ((h & 3) ^ (a & low) ^ (c & high));
-        }
+        const WideUint node = Mix32((mortonCode >> (2 * level + 1) >> 1) | depthBit);
+        const WideUint digit = mortonCode >> (2 * level);
+        const WideUint low = -(digit & 1), high = -((digit >> 1) & 1);
+        // Each permutation of four things is an affine map of GF(2)^2: two different columns
+        // other than 0, and a constant.
+        const WideUint h = Mix32(node ^ keys.order);
+        const WideUint a = 1 + (((h >> 16) * 3) >> 16);
+        const WideUint further = a + 1 + ((h >> 2) & 1);
+        const WideUint c = Select(further > 3, further - 3, further);
+        pixelIndex = (pixelIndex << 2) | ((h & 3) ^ (a & low) ^ (c & high));
     }
-    for (int i = 0; i < kLanes; ++i) {
-        b.firstPoint[i] = pixelIndex[i] << log2Samples;
-        b.carry[i] = uint32_t(uint64_t(pixelIndex[i]) >> (32 - log2Samples));
-    }
+    return {pixelIndex << log2Samples,
+            log2Samples == 0 ? WideUint{} : pixelIndex >> (32 - log2Samples),
+            Mix32(Mix32(mortonCode + 3) ^ keys.order)};
 }
 
 template <typename Scramble>
-void ZSobolSampler::FillNumbers(const PixelBlock &b, Scramble scramble) {
-    const BitPermutation order(log2Samples);
-    for (int i = 0; i < kLanes; ++i) {
-        const uint32_t point = b.firstPoint[i] | order(index, b.order[i]);
-        // The sixth step of the butterfly folds the point's upper 32 bits onto the lower.
-        x[i] = ToUnitFloat(ReverseBits32(scramble(point, b.keyX[i])));
-        y[i] = ToUnitFloat(ReverseBits32(scramble(SobolYReversed(point ^ b.carry[i]), b.keyY[i])));
+WidePoint2f ZSobolSampler::Numbers(const PixelPlace &place, const DimensionKeys &keys,
+                                   WideUint sampleIndex, Scramble scramble) const {
+    const WideUint point = place.firstPoint | BitPermutation(log2Samples)(sampleIndex, place.order);
+    // The sixth step of the butterfly folds the point's upper 32 bits onto the lower.
+    return {ToUnitFloat(ReverseBits32(scramble(point, keys.x))),
+            ToUnitFloat(ReverseBits32(scramble(SobolYReversed(point ^ place.carry), keys.y)))};
+}
+
+inline WidePoint2f ZSobolSampler::Numbers(const PixelPlace &place, const DimensionKeys &keys,
+                                          WideUint sampleIndex) const {
+    const auto numbers = [&](auto scramble) { return Numbers(place, keys, sampleIndex, scramble); };
+    switch (randomization) {
+        case Randomization::None:
+            return numbers([](WideUint v, WideUint) { return v; });
+        case Randomization::PermuteDigits:
+            return numbers([](WideUint v, WideUint key) { return v ^ key; });
+        case Randomization::Owen:
+            return numbers([](WideUint v, WideUint key) { return OwenReversed(v, key); });
+        default:
+            return numbers([](WideUint v, WideUint key) { return FastOwenReversed(v, key); });
     }
 }
 
 inline void ZSobolSampler::FillNumbers(int first) {
-    const int which = first / kLanes;
+    const int which = first / kWide;
     PixelBlock local;
     const bool keep = which < kKnownBlocks;
     PixelBlock &b = keep ? pixelBlocks[size_t(which)] : local;
     if (!keep || !(knownBlocks >> which & 1)) {
-        FillPixelBlock(first, b);
+        b.keys = KeysOf(uint32_t(first) + kLaneNumbers);
+        b.place = PlaceOf(Broadcast16(morton), b.keys);
         if (keep) knownBlocks |= uint32_t(1) << which;
     }
-    switch (randomization) {
-        case Randomization::None:
-            return FillNumbers(b, [](uint32_t v, uint32_t) { return v; });
-        case Randomization::PermuteDigits:
-            return FillNumbers(b, [](uint32_t v, uint32_t key) { return v ^ key; });
-        case Randomization::Owen:
-            return FillNumbers(b, [](uint32_t v, uint32_t key) { return OwenReversed(v, key); });
-        case Randomization::FastOwen:
-            // A lambda, not the function's address: only so is it inlined and vectorised.
-            return FillNumbers(b,
-                               [](uint32_t v, uint32_t key) { return FastOwenReversed(v, key); });
+    numbers = Numbers(b.place, b.keys, Broadcast16(index));
+}
+
+inline void ZSobolSampler::StartBatch(std::span<const Point2i> pixels) {
+    batchMorton.Resize(pixels.size());
+    for (size_t i = 0; i < pixels.size(); ++i)
+        batchMorton[i] = EncodeMorton2(uint32_t(pixels[i].x), uint32_t(pixels[i].y));
+    for (BatchDimension &t : batch)
+        t.dimension = -1;
+}
+
+inline void ZSobolSampler::FillBatchDimension(int dimension, BatchDimension &t) const {
+    t.dimension = dimension;
+    t.keys = KeysOf(Broadcast16(uint32_t(dimension)));
+    for (PixelTable *table : {&t.firstPoint, &t.carry, &t.order})
+        table->Resize(batchMorton.Size());
+    for (size_t i = 0; i < batchMorton.Size(); i += kWide) {
+        const PixelPlace place = PlaceOf(batchMorton.From(i), t.keys);
+        t.firstPoint.SetFrom(i, place.firstPoint);
+        t.carry.SetFrom(i, place.carry);
+        t.order.SetFrom(i, place.order);
     }
 }
 

@@ -13,15 +13,18 @@ inline constexpr uint64_t kGolden64 = 0x9e3779b97f4a7c15;
 
 /// Bijection of 64 bits in which each input bit flips each output bit about half the time:
 /// x ^= x >> a, x *= b, ... as MurmurHash3's finaliser (Appleby), with Stafford's constants
-/// ("Mix13", 2011). Mix64(0) = 0.
-constexpr uint64_t Mix64(uint64_t x) {
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
+/// ("Mix13", 2011). Mix64(0) = 0. U: uint64_t, or several of them side by side.
+template <typename U>
+requires(!std::is_arithmetic_v<U> || std::is_same_v<U, uint64_t>) constexpr U Mix64(const U &bits) {
+    U x = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9;
     x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
     return x ^ (x >> 31);
 }
 
-/// The same for 32 bits (constants: Wellons 2018, bias 0.17). Mix32(0) = 0.
-constexpr uint32_t Mix32(uint32_t x) {
+/// The same for 32 bits (constants: Wellons 2018, bias 0.17). Mix32(0) = 0. U: uint32_t, or several
+/// of them side by side.
+template <typename U>
+requires(!std::is_arithmetic_v<U> || std::is_same_v<U, uint32_t>) constexpr U Mix32(U x) {
     x = (x ^ (x >> 16)) * 0x7feb352d;
     x = (x ^ (x >> 15)) * 0x846ca68b;
     return x ^ (x >> 16);

@@ -63,8 +63,9 @@ constexpr uint32_t EncodeMorton2(uint32_t x, uint32_t y) {
     return SpreadBits(x & 0xffff) | (SpreadBits(y & 0xffff) << 1);
 }
 
-/// Bits in reverse order.
-constexpr uint32_t ReverseBits32(uint32_t x) {
+/// Bits in reverse order. U: uint32_t, or several of them side by side.
+template <typename U>
+constexpr U ReverseBits32(U x) {
     x = (x << 16) | (x >> 16);
     x = ((x & 0x00ff00ff) << 8) | ((x >> 8) & 0x00ff00ff);
     x = ((x & 0x0f0f0f0f) << 4) | ((x >> 4) & 0x0f0f0f0f);

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "pbrt/util/wide.h"
+
+namespace pbrt {
+
+/// A number for each pixel of a batch.
+class PixelTable {
+  public:
+    /// Pixels are counted up to the next multiple of sixteen.
+    void Resize(size_t pixels) { values.resize((pixels + kWide - 1) / kWide * kWide); }
+    size_t Size() const { return values.size(); }
+    uint32_t &operator[](size_t pixel) { return values[pixel]; }
+    /// Of the sixteen pixels from `first` on.
+    WideUint From(size_t first) const { return LoadWide(&values[first]); }
+    void SetFrom(size_t first, WideUint v) { StoreWide(v, &values[first]); }
+    /// Of pixel[lane] in each lane.
+    WideUint At(WideUint pixel) const {
+        return values.size() == kWide ? Permute(From(0), pixel) : Gather(values.data(), pixel);
+    }
+
+  private:
+    std::vector<uint32_t> values;
+};
+
+/// 64 bits for each pixel of a batch: Hash(seed, pixel).
+class PixelHashes {
+  public:
+    void Start(std::span<const Point2i> pixels, int seed) {
+        low.Resize(pixels.size());
+        high.Resize(pixels.size());
+        for (size_t i = 0; i < pixels.size(); ++i) {
+            const uint64_t bits = Hash(seed, pixels[i]);
+            low[i] = uint32_t(bits);
+            high[i] = uint32_t(bits >> 32);
+        }
+    }
+    WideUint64 At(WideUint pixel) const { return Join(low.At(pixel), high.At(pixel)); }
+
+  private:
+    PixelTable low, high;
+};
+
+}  // namespace pbrt

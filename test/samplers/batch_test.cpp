@@ -1,0 +1,102 @@
+#include <gtest/gtest.h>
+
+#include "pbrt/samplers/samplers.h"
+#include "pbrt/util/rng.h"
+
+namespace pbrt {
+namespace {
+
+constexpr Point2i kResolution{300, 500};
+
+std::vector<Sampler> AllSamplers() {
+    return {IndependentSampler(16, 3),
+            StratifiedSampler(4, 4, true, 4),
+            StratifiedSampler(5, 3, true, -5),
+            StratifiedSampler(5, 3, false, 5),
+            StratifiedSampler(1, 1, true, 6),
+            ZSobolSampler(16, kResolution, Randomization::FastOwen, 7),
+            ZSobolSampler(1 << 20, kResolution, Randomization::Owen, 8),
+            ZSobolSampler(64, kResolution, Randomization::PermuteDigits, 9),
+            ZSobolSampler(1, {1, 1}, Randomization::None, 0)};
+}
+
+std::vector<Point2i> Pixels(size_t n) {
+    Rng rng(n);
+    std::vector<Point2i> pixels(n);
+    for (Point2i &p : pixels)
+        p = {int(rng.Below(uint32_t(kResolution.x))), int(rng.Below(uint32_t(kResolution.y)))};
+    return pixels;
+}
+
+/// Draws of a batch and one by one, in random order of dimensions, pixels and samples; exactly.
+template <typename S>
+void ExpectSameNumbers(S sampler, const std::vector<Point2i> &pixels, uint64_t seed) {
+    sampler.StartBatch(pixels);
+    S alone = sampler;
+    Rng rng(seed);
+    for (int round = 0; round < 60; ++round) {
+        const int dimension = int(rng.Below(round < 30 ? 20 : 1000));
+        WideUint pixel, index;
+        for (int i = 0; i < kWide; ++i) {
+            pixel[i] = rng.Below(uint32_t(pixels.size()));
+            index[i] = rng.Below(uint32_t(sampler.SamplesPerPixel()));
+        }
+        const WideFloat single = sampler.Get1D(dimension, pixel, index);
+        const WidePoint2f pair = sampler.Get2D(dimension, pixel, index);
+        for (int i = 0; i < kWide; ++i) {
+            const Point2i p = pixels[pixel[i]];
+            alone.StartPixelSample(p, int(index[i]), dimension);
+            ASSERT_EQ(single[i], alone.Get1D()) << dimension;
+            alone.StartPixelSample(p, int(index[i]), dimension);
+            ASSERT_EQ((Point2f{pair.x[i], pair.y[i]}), alone.Get2D()) << dimension;
+        }
+    }
+}
+
+TEST(SamplerBatch, SameNumbersAsOneByOne) {
+    for (const Sampler &sampler : AllSamplers()) {
+        std::visit(
+            [](auto s) {
+                for (size_t n : {1, 16, 17, 200, 3})
+                    ExpectSameNumbers(s, Pixels(n), n + 1);
+            },
+            sampler);
+    }
+}
+
+TEST(SamplerBatch, ASecondBatchForgetsTheFirst) {
+    for (Sampler &sampler : AllSamplers()) {
+        std::visit(
+            [](auto &s) {
+                auto fresh = s;
+                s.StartBatch(Pixels(40));
+                s.Get2D(5, kLaneNumbers, WideUint{});
+                s.StartBatch(Pixels(20));
+                fresh.StartBatch(Pixels(20));
+                const WideFloat a = s.Get2D(5, kLaneNumbers, WideUint{}).y;
+                const WideFloat b = fresh.Get2D(5, kLaneNumbers, WideUint{}).y;
+                for (int i = 0; i < kWide; ++i)
+                    EXPECT_EQ(a[i], b[i]);
+            },
+            sampler);
+    }
+}
+
+/// Lanes whose numbers nobody wants may hold any index, and disturb no other.
+TEST(SamplerBatch, AnyIndexInLanesNotWanted) {
+    for (Sampler &sampler : AllSamplers()) {
+        std::visit(
+            [](auto &s) {
+                s.StartBatch(Pixels(16));
+                const WideUint good{}, wild = Select(kLaneNumbers % 2 == 0, good, ~kLaneNumbers);
+                const WideFloat a = s.Get1D(3, kLaneNumbers, good),
+                                b = s.Get1D(3, kLaneNumbers, wild);
+                for (int i = 0; i < kWide; i += 2)
+                    EXPECT_EQ(a[i], b[i]);
+            },
+            sampler);
+    }
+}
+
+}  // namespace
+}  // namespace pbrt
