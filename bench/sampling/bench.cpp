@@ -11,6 +11,7 @@
 #include "bench/stopwatch.h"
 #include "pbrt/cpu/build.h"
 #include "pbrt/cpu/render.h"
+#include "pbrt/cpu/tile.h"
 #include "pbrt/scene/parser.h"
 
 namespace pbrt::bench {
@@ -33,28 +34,15 @@ std::unique_ptr<World> Load(const char *fileName, int spp, int seed) {
     return world;
 }
 
-/// One pixel after another, on this thread.
+/// On this thread.
 template <typename Scattering>
 void RenderAlone(World &world) {
-    const PixelBounds b = world.film.Bounds();
     RayCounts rays;
     std::visit(
-        [&]<typename SamplerT>(SamplerT sampler) {
-            PathTracer<SamplerT, Scattering> tracer(world, sampler, rays);
-            for (int i = 0; i < b.Area(); ++i) {
-                const Point2i p{b.x0 + i % b.Width(), b.y0 + i / b.Width()};
-                Film::Pixel pixel;
-                for (int index = 0; index < sampler.SamplesPerPixel(); ++index) {
-                    sampler.StartPixelSample(p, index);
-                    auto lambda = SampledWavelengths::SampleVisible(sampler.Get1D());
-                    const FilterSample fs = Sample(world.filter, sampler.GetPixel2D());
-                    const Ray ray = world.camera.GenerateRay(
-                        {p.x + 0.5f + fs.p.x, p.y + 0.5f + fs.p.y}, {0.5f, 0.5f}, 0);
-                    const SampledSpectrum L = tracer.Li(ray, lambda);
-                    world.film.AddSample(&pixel, L, lambda, fs.weight);
-                }
-                world.film.Store(p, pixel);
-            }
+        [&]<typename SamplerT>(const SamplerT &sampler) {
+            const auto tracer = std::make_unique<BatchTracer<SamplerT, Scattering>>(world, sampler);
+            RenderPixels(world, PixelsAlongCurve(world.film.Bounds()), sampler.SamplesPerPixel(),
+                         *tracer, rays, [] { return true; });
         },
         world.sampler);
 }

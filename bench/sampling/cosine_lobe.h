@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pbrt/cpu/path.h"
+#include "pbrt/cpu/vertex.h"
 #include "pbrt/util/sampling.h"
 
 namespace pbrt::bench {
@@ -41,7 +41,7 @@ class CosineLobe {
     FeatherBarbuleBxDF feather;
 };
 
-/// For PathTracer: feathers are drawn by the cosine lobe, all else as it is.
+/// For PathVertex: feathers are drawn by the cosine lobe, all else as it is.
 struct FeathersByCosine : BSDFAsItIs {
     using BSDFAsItIs::At;
     static CosineLobe At(const FeatherBarbuleMaterial &feather, const TextureEvalContext &ctx,

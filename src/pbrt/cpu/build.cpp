@@ -133,7 +133,7 @@ std::unique_ptr<World> BuildWorld(const Description &scene, const Overrides &ove
         BuildShapes(scene, textures, materials, *world, log);
     if (log.HasErrors()) return nullptr;
 
-    const uint32_t nTop = TopLevelGeometries(*world);
+    const uint32_t nTop = world->TopLevelGeometries();
     world->accel.emplace(world->geometries, nTop, world->objects, world->instances,
                          overrides.nThreads);
     BuildLights(scene, integrator.lightSampler, emitters, *world, log);

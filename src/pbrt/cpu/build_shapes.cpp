@@ -192,11 +192,4 @@ std::vector<EmissiveShape> BuildShapes(const Description &scene, const NamedText
     return std::move(builder.emitters);
 }
 
-uint32_t TopLevelGeometries(const World &world) {
-    uint32_t first = uint32_t(world.geometries.size());
-    for (const ObjectRange &object : world.objects)
-        first = std::min(first, object.first);
-    return first;
-}
-
 }  // namespace pbrt

@@ -25,7 +25,5 @@ struct EmissiveShape {
 std::vector<EmissiveShape> BuildShapes(const Description &scene, const NamedTextures &textures,
                                        const MaterialTable &materials, World &world,
                                        Diagnostics &log);
-/// Number of geometries that stand in the scene as they are.
-uint32_t TopLevelGeometries(const World &world);
 
 }  // namespace pbrt

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
-#include "pbrt/cpu/path.h"
+#include "pbrt/cpu/path_state.h"
+#include "pbrt/cpu/world.h"
 
 namespace pbrt {
 

@@ -72,6 +72,13 @@ TextureEvalContext World::TextureContext(const SurfacePoint &sp) const {
     return ctx;
 }
 
+uint32_t World::TopLevelGeometries() const {
+    uint32_t first = uint32_t(geometries.size());
+    for (const ObjectRange &object : objects)
+        first = std::min(first, object.first);
+    return first;
+}
+
 bool World::LetsLightThrough(MaterialId id) const {
     if (const MixMaterial *mix = AsMix(id))
         return LetsLightThrough(mix->materials[0]) || LetsLightThrough(mix->materials[1]);

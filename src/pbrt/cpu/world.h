@@ -68,6 +68,8 @@ struct World {
             id = mix->Choose(TextureContext(sp), d, id);
         return materials[id];
     }
+    /// Geometries below this stand in the scene as they are; the others only in instances.
+    uint32_t TopLevelGeometries() const;
     /// Of materials that could not be made: no.
     bool LetsLightThrough(MaterialId id) const;
 };

@@ -259,6 +259,19 @@ inline void Scatter(float *to, WideUint index, WideFloat v, LaneBits lanes) {
     ForEachLane(lanes, [&](int i) { to[index[i]] = v[i]; });
 }
 
+/// The given lanes of v, one after another; writes up to sixteen numbers.
+inline void StoreLanes(float *to, WideFloat v, LaneBits lanes) {
+#if defined(__AVX512F__)
+    _mm512_storeu_ps(
+        to, _mm512_maskz_compress_ps(__mmask16(lanes), std::bit_cast<__m512>(v)));
+#else
+    ForEachLane(lanes, [&](int i) { *to++ = v[i]; });
+#endif
+}
+inline void StoreLanes(uint32_t *to, WideUint v, LaneBits lanes) {
+    StoreLanes(reinterpret_cast<float *>(to), std::bit_cast<WideFloat>(v), lanes);
+}
+
 /// Lane i of a point or vector.
 inline Vector3f Lane(const Vec3<WideFloat> &v, int i) {
     return {v.x[i], v.y[i], v.z[i]};
