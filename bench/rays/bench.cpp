@@ -106,7 +106,8 @@ void Report(const Stopwatch &watch, const RayKind &kind, const char *query) {
                 single, packet, single / packet, kind.rays.size());
 }
 
-void AddIntersections(Stopwatch *watch, const Accel &accel, const RayKind &kind) {
+void AddIntersections(Stopwatch *watch, const Accel &accel, const RayKind &kind,
+                      Coherence coherence) {
     const int n = int(kind.rays.size());
     const std::string name = fmt::format("{} Intersect", kind.name);
     watch->Add(name, n, [&] {
@@ -116,12 +117,13 @@ void AddIntersections(Stopwatch *watch, const Accel &accel, const RayKind &kind)
             sum += accel.Intersect(ray, &hit) ? hit.t : 0;
         return sum;
     });
-    watch->Add(name + " 16", n, [&] {
+    watch->Add(name + " 16", n, [&, coherence] {
         WideFloat sum{};
         HitPacket hits{};
         for (size_t i = 0; i < kind.packets.size(); ++i)
-            sum += Select(MaskOf(accel.Intersect(kind.packets[i], kind.active[i], &hits)), hits.t,
-                          0.f);
+            sum +=
+                Select(MaskOf(accel.Intersect(kind.packets[i], kind.active[i], &hits, coherence)),
+                       hits.t, 0.f);
         return double(sum[0]);
     });
 }
@@ -146,8 +148,8 @@ void AddOcclusions(Stopwatch *watch, const Accel &accel, const RayKind &kind) {
 void ComparePackets(const World &world, int rounds) {
     const RayKinds kinds(world);
     Stopwatch watch;
-    AddIntersections(&watch, *world.accel, kinds.camera);
-    AddIntersections(&watch, *world.accel, kinds.bounce);
+    AddIntersections(&watch, *world.accel, kinds.camera, Coherence::Alike);
+    AddIntersections(&watch, *world.accel, kinds.bounce, Coherence::Scattered);
     AddOcclusions(&watch, *world.accel, kinds.shadow);
     watch.Run(rounds);
     Report(watch, kinds.camera, "Intersect");

@@ -164,7 +164,8 @@ Tally CompareHits(const Everything &scene, Rng &rng, int packets) {
         Ray rays[kWide];
         const RayPacket packet = PacketOf(rng, active, rays);
         HitPacket hits = UntouchedHits();
-        const LaneBits found = scene.accel->Intersect(packet, active, &hits);
+        const auto coherence = k % 2 == 0 ? Coherence::Scattered : Coherence::Alike;
+        const LaneBits found = scene.accel->Intersect(packet, active, &hits, coherence);
         EXPECT_EQ(found & ~active, 0u);
         for (int i = 0; i < kWide; ++i) {
             if (!(found >> i & 1)) ExpectUntouched(At(hits, i));

@@ -153,7 +153,8 @@ RTCScene Accel::Impl::NewScene(uint32_t first, uint32_t last, uint32_t quadricsI
         record.local = i - first;
         if (IsInvisible(*record.geometry)) continue;
         if (const Transform *const placed = QuadricTransform(record.geometry->shape))
-            set.push_back({record, ObjectFromRender(*placed)});
+            set.push_back({record, ObjectFromRender(*placed),
+                           record.hasAlpha ? std::nullopt : Ball::Of(record.geometry->shape)});
         else
             Attach(s, NewGeometry(record), record.local);
     }

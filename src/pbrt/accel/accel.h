@@ -82,7 +82,8 @@ class Accel {
     // finds what a single ray finds, but where rounding decides (edges, grazing rays).
 
     /// Lanes that hit; of `hits` these alone are written.
-    LaneBits Intersect(const RayPacket &rays, LaneBits active, HitPacket *hits) const;
+    LaneBits Intersect(const RayPacket &rays, LaneBits active, HitPacket *hits,
+                       Coherence coherence = Coherence::Scattered) const;
     /// Lanes where anything opaque stands.
     LaneBits Occluded(const RayPacket &rays, LaneBits active) const;
     void Transmittance(const RayPacket &rays, LaneBits active, const GapTransmittance &gaps,

@@ -30,10 +30,11 @@ inline void Occluded1(RTCScene scene, EmbreeContext *context, RTCRay *ray) {
     rtcOccluded1(scene, ray, &arguments);
 }
 inline void Intersect16(RTCScene scene, EmbreeContext *context, const int *valid,
-                        RTCRayHit16 *rayHits) {
+                        RTCRayHit16 *rayHits, bool coherent) {
     RTCIntersectArguments arguments;
     rtcInitIntersectArguments(&arguments);
     arguments.context = context;
+    if (coherent) arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
     rtcIntersect16(valid, scene, rayHits, &arguments);
 }
 inline void Occluded16(RTCScene scene, EmbreeContext *context, const int *valid, RTCRay16 *rays) {
@@ -57,7 +58,8 @@ inline void Occluded1(RTCScene scene, EmbreeContext *context, RTCRay *ray) {
     rtcOccluded1(scene, context, ray);
 }
 inline void Intersect16(RTCScene scene, EmbreeContext *context, const int *valid,
-                        RTCRayHit16 *rayHits) {
+                        RTCRayHit16 *rayHits, bool coherent) {
+    if (coherent) context->flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     rtcIntersect16(valid, scene, context, rayHits);
 }
 inline void Occluded16(RTCScene scene, EmbreeContext *context, const int *valid, RTCRay16 *rays) {

@@ -35,13 +35,15 @@ LaneBits Ended(const RTCRay16 &r, LaneBits active) {
 
 }  // namespace
 
-LaneBits Accel::Intersect(const RayPacket &rays, LaneBits active, HitPacket *hits) const {
+LaneBits Accel::Intersect(const RayPacket &rays, LaneBits active, HitPacket *hits,
+                          Coherence coherence) const {
     RTCRayHit16 rh;
     SetRays(rays, &rh.ray);
     StoreWide(WideUint{} + RTC_INVALID_GEOMETRY_ID, rh.hit.geomID);
     StoreWide(WideUint{} + RTC_INVALID_GEOMETRY_ID, rh.hit.instID[0]);
     QueryContext context(rays, nullptr, nullptr);
-    Intersect16(impl->scene, &context.embree, Valid(active).Data(), &rh);
+    Intersect16(impl->scene, &context.embree, Valid(active).Data(), &rh,
+                coherence == Coherence::Alike);
 
     WideUint geometry = LoadWide(rh.hit.geomID), instance = LoadWide(rh.hit.instID[0]);
     const WideMask found = (geometry != RTC_INVALID_GEOMETRY_ID) & MaskOf(active);

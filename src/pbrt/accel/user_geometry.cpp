@@ -119,6 +119,24 @@ void OccludedUser(const RTCOccludedFunctionNArguments *args) {
     }
 }
 
+void IntersectQuadrics(const RTCIntersectFunctionNArguments *args) {
+    const QuadricRecord &quadric = QuadricPrimitive(args->geometryUserPtr, args->primID).quadric;
+    if (quadric.ball)
+        IntersectBall(*quadric.ball, quadric.common.local, args);
+    else
+        IntersectUser<QuadricPrimitive>(args);
+}
+
+void OccludedQuadrics(const RTCOccludedFunctionNArguments *args) {
+    const QuadricRecord &quadric = QuadricPrimitive(args->geometryUserPtr, args->primID).quadric;
+    const bool mayPass =
+        quadric.common.geometry->passesLight && QueryContext::Of(args->context).gaps;
+    if (quadric.ball && !mayPass)
+        OccludedBall(*quadric.ball, args);
+    else
+        OccludedUser<QuadricPrimitive>(args);
+}
+
 void SetBounds(const Bounds3f &b, RTCBounds *out) {
     out->lower_x = b.min.x, out->lower_y = b.min.y, out->lower_z = b.min.z;
     out->upper_x = b.max.x, out->upper_y = b.max.y, out->upper_z = b.max.z;
@@ -137,27 +155,28 @@ void PatchBounds(const RTCBoundsFunctionArguments *args) {
     SetBounds(b, args->bounds_o);
 }
 
-template <typename Primitive>
 RTCGeometry NewUserGeometry(RTCDevice device, const void *user, size_t count,
-                            RTCBoundsFunction bounds) {
+                            RTCBoundsFunction bounds, RTCIntersectFunctionN intersect,
+                            RTCOccludedFunctionN occluded) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
     rtcSetGeometryUserPrimitiveCount(geometry, unsigned(count));
     rtcSetGeometryUserData(geometry, const_cast<void *>(user));
     rtcSetGeometryBoundsFunction(geometry, bounds, nullptr);
-    rtcSetGeometryIntersectFunction(geometry, IntersectUser<Primitive>);
-    rtcSetGeometryOccludedFunction(geometry, OccludedUser<Primitive>);
+    rtcSetGeometryIntersectFunction(geometry, intersect);
+    rtcSetGeometryOccludedFunction(geometry, occluded);
     return geometry;
 }
 
 }  // namespace
 
 RTCGeometry NewQuadrics(RTCDevice device, const QuadricSet *quadrics) {
-    return NewUserGeometry<QuadricPrimitive>(device, quadrics, quadrics->size(), QuadricBounds);
+    return NewUserGeometry(device, quadrics, quadrics->size(), QuadricBounds, IntersectQuadrics,
+                           OccludedQuadrics);
 }
 
 RTCGeometry NewBentPatches(RTCDevice device, const GeometryRecord *record) {
-    return NewUserGeometry<PatchPrimitive>(device, record, NPrimitives(record->geometry->shape),
-                                           PatchBounds);
+    return NewUserGeometry(device, record, NPrimitives(record->geometry->shape), PatchBounds,
+                           IntersectUser<PatchPrimitive>, OccludedUser<PatchPrimitive>);
 }
 
 }  // namespace pbrt

@@ -3,6 +3,7 @@
 #include <deque>
 #include <vector>
 
+#include "pbrt/accel/ball.h"
 #include "pbrt/accel/query.h"
 #include "pbrt/shapes/intersect.h"
 
@@ -12,6 +13,7 @@ namespace pbrt {
 struct QuadricRecord {
     GeometryRecord common;
     ObjectFromRender objectFromRender;
+    std::optional<Ball> ball;  ///< where it is one and without alpha
 };
 
 /// All quadrics of one Embree scene: one geometry, however many there are. Hits carry the

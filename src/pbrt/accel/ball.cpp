@@ -1,0 +1,201 @@
+#include "pbrt/accel/ball.h"
+
+#include "pbrt/shapes/rounding.h"
+
+namespace pbrt {
+
+std::optional<Ball> Ball::Of(const Shape &shape) {
+    const auto *const sphere = std::get_if<Sphere>(&shape);
+    if (!sphere || !sphere->IsFull()) return {};
+    const Matrix4 &m = sphere->renderFromObject.Matrix();
+    float scale = 0;
+    for (int i = 0; i < 3; ++i) {
+        const Vector3f row = Abs(Vector3f{m[i][0], m[i][1], m[i][2]});
+        const Vector3f column = Abs(Vector3f{m[0][i], m[1][i], m[2][i]});
+        if (i == 0) scale = MaxComponent(row);
+        for (const Vector3f &v : {row, column})
+            if (MaxComponent(v) != scale || v.x + v.y + v.z != scale) return {};
+    }
+    return Ball{{m[0][3], m[1][3], m[2][3]}, double(scale) * double(sphere->radius)};
+}
+
+namespace {
+
+// Eight numbers in double, and the functions of wide.h for them and for one.
+using Double8 = double __attribute__((vector_size(64)));
+using Long8 = int64_t __attribute__((vector_size(64)));
+using Float8 = float __attribute__((vector_size(32)));
+using Int8 = int32_t __attribute__((vector_size(32)));
+
+double Choose(bool condition, double a, double b) {
+    return condition ? a : b;
+}
+double Root(double a) {
+    return std::sqrt(a);
+}
+double WithSign(double size, double sign) {
+    return std::copysign(size, sign);
+}
+bool None(bool hit) {
+    return !hit;
+}
+Double8 Choose(Long8 mask, Double8 a, Double8 b) {
+    return mask ? a : b;
+}
+Double8 Root(Double8 a) {
+    for (int i = 0; i < 8; ++i)  // one instruction
+        a[i] = std::sqrt(a[i]);
+    return a;
+}
+Double8 WithSign(Double8 size, Double8 sign) {
+    constexpr int64_t kSign = std::numeric_limits<int64_t>::min();
+    return std::bit_cast<Double8>((std::bit_cast<Long8>(size) & ~kSign) |
+                                  (std::bit_cast<Long8>(sign) & kSign));
+}
+bool None(Long8) {
+    return false;
+}
+
+/// Whether and where a ray meets a ball first in (0, tMax]; t has no meaning elsewhere.
+template <typename T, typename Mask>
+struct Met {
+    Mask hit;
+    T t;
+};
+
+/// For T one double or eight; o: from the ball's center. As CrossRadius in shapes/intersect.cpp,
+/// but of the two roots only the wanted one is computed.
+template <typename T>
+inline auto Meet(T radius, Vec3<T> o, Vec3<T> d, T tMax) {
+    const T r2 = radius * radius;
+    const T a = Dot(d, d), b = -Dot(o, d), c = Dot(o, o) - r2;
+    const T discriminant = r2 * a - LengthSquared(Cross(o, d));
+    auto hit = (discriminant >= 0) & ((c <= 0) | (b > 0));
+    using Mask = decltype(hit);
+    if (None(hit)) return Met<T, Mask>{hit, T{}};
+    const T q = b + WithSign(Root(discriminant), b);
+    const auto entering = (c > 0) | (b < 0);
+    const T t = Choose(entering, c, q) / Choose(entering, q, a);
+    hit = hit & (t > 0) & (t <= tMax);
+    return Met<T, Mask>{hit, t};
+}
+
+/// Of any packet width.
+bool MeetsRay(const Ball &ball, RTCRayN *r, unsigned n, unsigned i, double *t) {
+    const Vector3d center = ToDouble(ball.center);
+    const Vector3d o{RTCRayN_org_x(r, n, i), RTCRayN_org_y(r, n, i), RTCRayN_org_z(r, n, i)};
+    const Vector3d d{RTCRayN_dir_x(r, n, i), RTCRayN_dir_y(r, n, i), RTCRayN_dir_z(r, n, i)};
+    const auto met = Meet<double>(ball.radius, o - center, d, RTCRayN_tfar(r, n, i));
+    *t = met.t;
+    return met.hit;
+}
+
+/// Lanes that a test in float cannot rule out: its terms are off by less than 16 roundings of
+/// |o|^2 |d|^2, and twice that is granted.
+LaneBits MayMeet(const Ball &ball, const RTCRay16 &r) {
+    const WideVector3f d{LoadWide(r.dir_x), LoadWide(r.dir_y), LoadWide(r.dir_z)};
+    const WideVector3f o{LoadWide(r.org_x) - ball.center.x, LoadWide(r.org_y) - ball.center.y,
+                         LoadWide(r.org_z) - ball.center.z};
+    const WideFloat b = -Dot(o, d);
+    const WideFloat outside =
+        Dot(o, o) * (1 - 2e-6f) - float(ball.radius * ball.radius) * (1 + 1e-6f);
+    const WideMask misses = (b * b < Dot(d, d) * outside) | ((b < 0) & (outside > 0));
+    return ~BitsOf(misses);
+}
+
+/// Lanes of a packet and where they meet the ball.
+struct WideMet {
+    WideMask hit;
+    WideFloat t;
+};
+
+template <int kHalf>
+Double8 Half(const float *from) {
+    Float8 v;
+    __builtin_memcpy(&v, from + 8 * kHalf, sizeof v);
+    return __builtin_convertvector(v, Double8);
+}
+
+template <int kHalf>
+void MeetHalf(const Ball &ball, const RTCRay16 &r, WideMet *met) {
+    const Vec3<Double8> o{Half<kHalf>(r.org_x) - double(ball.center.x),
+                          Half<kHalf>(r.org_y) - double(ball.center.y),
+                          Half<kHalf>(r.org_z) - double(ball.center.z)};
+    const Vec3<Double8> d{Half<kHalf>(r.dir_x), Half<kHalf>(r.dir_y), Half<kHalf>(r.dir_z)};
+    const auto m = Meet<Double8>(Double8{} + ball.radius, o, d, Half<kHalf>(r.tfar));
+    const Int8 hit = __builtin_convertvector(m.hit, Int8);
+    const Float8 t = __builtin_convertvector(m.t, Float8);
+    __builtin_memcpy(reinterpret_cast<char *>(&met->hit) + 32 * kHalf, &hit, sizeof hit);
+    __builtin_memcpy(reinterpret_cast<char *>(&met->t) + 32 * kHalf, &t, sizeof t);
+}
+
+WideMet MeetPacket(const Ball &ball, const RTCRay16 &r, LaneBits lanes) {
+    WideMet met{};
+    if (lanes & 0xff) MeetHalf<0>(ball, r, &met);
+    if (lanes & 0xff00) MeetHalf<1>(ball, r, &met);
+    met.hit &= MaskOf(lanes);
+    return met;
+}
+
+LaneBits ValidLanes(const int *valid) {
+    WideInt v;
+    __builtin_memcpy(&v, valid, sizeof v);
+    return BitsOf(v);
+}
+
+}  // namespace
+
+void IntersectBall(const Ball &ball, uint32_t localId, const RTCIntersectFunctionNArguments *args) {
+    const unsigned n = args->N;
+    RTCRayN *const rays = RTCRayHitN_RayN(args->rayhit, n);
+    RTCHitN *const hits = RTCRayHitN_HitN(args->rayhit, n);
+    const auto one = [&](unsigned i) {
+        double t;
+        if (!MeetsRay(ball, rays, n, i, &t)) return;
+        RTCRayN_tfar(rays, n, i) = float(t);
+        RTCHitN_u(hits, n, i) = RTCHitN_v(hits, n, i) = 0;
+        RTCHitN_primID(hits, n, i) = 0;
+        RTCHitN_geomID(hits, n, i) = localId;
+        RTCHitN_instID(hits, n, i, 0) = args->context->instID[0];
+    };
+    if (n != kWide) {
+        for (unsigned i = 0; i < n; ++i)
+            if (args->valid[i] != 0) one(i);
+        return;
+    }
+    LaneBits lanes = ValidLanes(args->valid);
+    if (std::has_single_bit(lanes)) return one(unsigned(std::countr_zero(lanes)));
+    auto &packet = *reinterpret_cast<RTCRayHit16 *>(args->rayhit);
+    lanes &= MayMeet(ball, packet.ray);
+    if (lanes == 0) return;
+    const WideMet met = MeetPacket(ball, packet.ray, lanes);
+    const auto set = [&](auto value, auto *to) { StoreWide(met.hit ? value : LoadWide(to), to); };
+    set(met.t, packet.ray.tfar);
+    set(WideFloat{}, packet.hit.u);
+    set(WideFloat{}, packet.hit.v);
+    set(WideUint{}, packet.hit.primID);
+    set(WideUint{} + localId, packet.hit.geomID);
+    set(WideUint{} + args->context->instID[0], packet.hit.instID[0]);
+}
+
+void OccludedBall(const Ball &ball, const RTCOccludedFunctionNArguments *args) {
+    const unsigned n = args->N;
+    const auto one = [&](unsigned i) {
+        double t;
+        if (MeetsRay(ball, args->ray, n, i, &t)) RTCRayN_tfar(args->ray, n, i) = -Infinity;
+    };
+    if (n != kWide) {
+        for (unsigned i = 0; i < n; ++i)
+            if (args->valid[i] != 0) one(i);
+        return;
+    }
+    LaneBits lanes = ValidLanes(args->valid);
+    if (std::has_single_bit(lanes)) return one(unsigned(std::countr_zero(lanes)));
+    auto &packet = *reinterpret_cast<RTCRay16 *>(args->ray);
+    lanes &= MayMeet(ball, packet);
+    if (lanes == 0) return;
+    const WideMet met = MeetPacket(ball, packet, lanes);
+    StoreWide(Select(met.hit, -Infinity, LoadWide(packet.tfar)), packet.tfar);
+}
+
+}  // namespace pbrt
