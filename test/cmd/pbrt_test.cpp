@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <thread>
 
@@ -33,8 +34,8 @@ class Program : public testing::Test {
     void TearDown() override { fs::remove_all(folder); }
 
     Outcome Run(const std::string &arguments, const std::string &before = "") {
-        const std::string command =
-            "cd '" + folder.string() + "' && " + before + " '" PBRT_PROGRAM "' " + arguments + " 2>&1";
+        const std::string command = "cd '" + folder.string() + "' && " + before +
+                                    " '" PBRT_PROGRAM "' " + arguments + " 2>&1";
         Outcome outcome;
         FILE *pipe = popen(command.c_str(), "r");
         char buffer[4096];
@@ -80,9 +81,9 @@ TEST_F(Program, RendersTheNamedFile) {
 
 TEST_F(Program, OptionsOfEverySpelling) {
     Write("scene.pbrt", kScene);
-    for (const char *options :
-         {"--outfile a.exr --spp 1 --nthreads 1", "-outfile=a.exr -spp 1", "--OutFile a.exr --n_threads 2",
-          "--outfile a.exr --cropwindow 0,0.5,0,1 --seed 3 --quick"})
+    for (const char *options : {"--outfile a.exr --spp 1 --nthreads 1", "-outfile=a.exr -spp 1",
+                                "--OutFile a.exr --n_threads 2",
+                                "--outfile a.exr --cropwindow 0,0.5,0,1 --seed 3 --quick"})
         EXPECT_EQ(Run(std::string("scene.pbrt --quiet ") + options).exitCode, 0) << options;
     EXPECT_EQ(Files(), std::vector<std::string>{"a.exr"});
     const auto image = ReadImage((folder / "a.exr").string());
@@ -108,8 +109,9 @@ TEST_F(Program, BrokenSceneWritesNothing) {
     Write("scene.pbrt", std::string(kScene) + "Shape \"spehre\"\n");
     const Outcome outcome = Run("scene.pbrt");
     EXPECT_EQ(outcome.exitCode, 1);
-    EXPECT_NE(outcome.said.find("scene.pbrt:6:1: unknown shape \"spehre\"; did you mean \"sphere\"?"),
-              std::string::npos)
+    EXPECT_NE(
+        outcome.said.find("scene.pbrt:6:1: unknown shape \"spehre\"; did you mean \"sphere\"?"),
+        std::string::npos)
         << outcome.said;
     EXPECT_TRUE(Files().empty());
 }
@@ -157,6 +159,26 @@ TEST_F(Program, StatsTellWhatWasDone) {
     const Outcome outcome = Run("scene.pbrt --stats --nthreads 1");
     for (const char *what : {"Rays", "Memory", "Build", "Render"})
         EXPECT_NE(outcome.said.find(what), std::string::npos) << outcome.said;
+}
+
+TEST_F(Program, StatsFileIsJsonOfWhatWasDone) {
+    Write("scene.pbrt", kScene);
+    const Outcome outcome = Run("scene.pbrt --spp 4 --nthreads 1 --quiet --stats-file s.json");
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.said;
+    const auto json = nlohmann::json::parse(Read("s.json"));
+    for (const char *what : {"parseSeconds", "buildSeconds", "renderSeconds"})
+        EXPECT_GE(json.at(what).get<double>(), 0) << what;
+    EXPECT_EQ(json.at("cameraSamples"), 16 * 8 * 4);
+    EXPECT_GE(json.at("closestHitRays"), json.at("cameraSamples"));
+    EXPECT_GT(json.at("peakBytes"), json.at("traversalBytes"));
+}
+
+TEST_F(Program, StatsFileThatCannotBeWrittenIsToldBeforeRendering) {
+    Write("scene.pbrt", kScene);
+    const Outcome outcome = Run("scene.pbrt --stats-file no/such/folder/s.json");
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_NE(outcome.said.find("no/such/folder"), std::string::npos) << outcome.said;
+    EXPECT_TRUE(Files().empty());
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // pbrt: renders scene files.
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -11,7 +10,7 @@
 
 #include "pbrt/cpu/build.h"
 #include "pbrt/cpu/progress.h"
-#include "pbrt/cpu/render.h"
+#include "pbrt/cpu/statistics.h"
 #include "pbrt/util/args.h"
 #include "pbrt/util/atomic_file.h"
 
@@ -27,6 +26,7 @@ struct Arguments {
     std::vector<std::string> files;
     Overrides overrides;
     Options options;
+    std::string statsFile;
     bool stats = false, quiet = false;
 };
 
@@ -51,6 +51,7 @@ void DefineOptions(CLI::App &app, Arguments &a, std::vector<float> &crop, std::v
     app.add_flag("--disable-texture-filtering", a.options.disableTextureFiltering,
                  "point-sampled textures");
     app.add_flag("--stats", a.stats, "print rays per second, memory and times");
+    app.add_option("--stats-file", a.statsFile, "write the same as JSON to this file");
     app.add_flag("--quiet", a.quiet, "no progress, no warnings");
     app.set_version_flag("--version", "pbrt-feather " PBRT_VERSION);
 }
@@ -89,7 +90,8 @@ ParsedArguments ParseArguments(int argc, char **argv) {
     }
     if (spp > 0) a.overrides.spp = spp;
     if (!crop.empty()) a.overrides.film.cropWindow = {crop[0], crop[1], crop[2], crop[3]};
-    if (!bounds.empty()) a.overrides.film.pixelBounds = {bounds[0], bounds[1], bounds[2], bounds[3]};
+    if (!bounds.empty())
+        a.overrides.film.pixelBounds = {bounds[0], bounds[1], bounds[2], bounds[3]};
     if (!pixel.empty())
         a.overrides.film.pixelBounds = {pixel[0], pixel[0] + 1, pixel[1], pixel[1] + 1};
     return result;
@@ -113,21 +115,6 @@ struct Times {
     double parse = 0, build = 0;
 };
 
-void PrintStats(const World &world, const RenderStats &stats, const Times &times) {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    const int64_t rays = stats.rays.closest + stats.rays.shadow;
-    fmt::print("Parse          {:10.3f} s\nBuild          {:10.3f} s\nRender         {:10.3f} s\n",
-               times.parse, times.build, stats.seconds);
-    fmt::print("Camera samples {:10.3f} M   {:8.3f} M/s\n", stats.cameraSamples * 1e-6,
-               stats.cameraSamples * 1e-6 / stats.seconds);
-    fmt::print("Rays           {:10.3f} M   {:8.3f} M/s (closest hit {:.3f} M, shadow {:.3f} M)\n",
-               rays * 1e-6, rays * 1e-6 / stats.seconds, stats.rays.closest * 1e-6,
-               stats.rays.shadow * 1e-6);
-    fmt::print("Memory         {:10.1f} MiB peak, of which traversal {:.1f} MiB\n",
-               usage.ru_maxrss / 1024.0, world.accel->MemoryBytes() / 1048576.0);
-}
-
 /// Rendering time and camera go into the picture's metadata, as pbrt writes them.
 Image Finished(const World &world, const RenderStats &stats) {
     Image image = world.film.ToImage();
@@ -149,8 +136,21 @@ void PrintRemarks(const World &world) {
         print(m.Remarks());
 }
 
+/// Statistics to where they are wanted; the exit code.
+int Report(const Statistics &s, const Arguments &a) {
+    if (a.stats) fmt::print("{}", StatisticsText(s));
+    if (a.statsFile.empty()) return kSuccess;
+    if (const auto why = WriteFileAtomically(a.statsFile, StatisticsJson(s))) {
+        fmt::print(stderr, "Error: {}\n", *why);
+        return kUserError;
+    }
+    return kSuccess;
+}
+
 int RenderAndWrite(World &world, const Arguments &a, const Times &times) {
-    if (const auto why = WhyNotWritable(world.film.FileName())) {
+    for (const std::string &file : {world.film.FileName(), a.statsFile}) {
+        const auto why = file.empty() ? std::nullopt : WhyNotWritable(file);
+        if (!why) continue;
         fmt::print(stderr, "Error: {}\n", *why);
         return kUserError;
     }
@@ -172,8 +172,7 @@ int RenderAndWrite(World &world, const Arguments &a, const Times &times) {
         fmt::print(stderr, "Error: {}\n", *why);
         return kUserError;
     }
-    if (a.stats) PrintStats(world, *stats, times);
-    return kSuccess;
+    return Report(CollectStatistics(world, *stats, times.parse, times.build), a);
 }
 
 int Main(int argc, char **argv) {

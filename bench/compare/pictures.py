@@ -1,0 +1,31 @@
+"""Our pictures against those that pbrt-v4 made of the same scenes (bench/reference)."""
+
+import pathlib
+
+from . import error, runs, scenes, write_pbrt
+
+FOLDER = pathlib.Path(__file__).resolve().parent.parent / "reference"
+SIZE, SPP, BATCHES = 100, 256, 8
+
+
+def has_reference(name):
+    return (FOLDER / f"{name}.exr").exists()
+
+
+def their_reference(name):
+    """pbrt-v4's long picture (4096 samples, hair 2048) and the short one of 256 samples: half their
+    squared difference bounds the noise of the long one, as the mean over each block."""
+    long, short = (runs.read_exr(FOLDER / f"{name}{part}.exr") for part in ("", "-256"))
+    spp = 2048 if name == "hairball" else 4096
+    return error.Reference(long, (long - short) ** 2 * 256 / spp, spp)
+
+
+def check(name, setting):
+    """Agreement of our picture with theirs, in blocks of 10 x 10 pixels."""
+    scene = scenes.SCENES[name]()
+    scene.resolution = SIZE
+    folder = setting.build / "scenes" / f"{name}-{SIZE}"
+    path = write_pbrt.write(scene, folder)
+    ours = error.reference([runs.pbrt(path, setting.threads, SPP, 500 + k).picture
+                            for k in range(BATCHES)], SPP)
+    return error.agreement(ours, their_reference(name), scene.tolerance, size=10)

@@ -1,0 +1,48 @@
+#include "pbrt/cpu/statistics.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <nlohmann/json.hpp>
+
+namespace pbrt {
+
+Statistics CollectStatistics(const World &world, const RenderStats &render, double parseSeconds,
+                             double buildSeconds) {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    Statistics s;
+    s.parseSeconds = parseSeconds;
+    s.buildSeconds = buildSeconds;
+    s.render = render;
+    s.peakBytes = int64_t(usage.ru_maxrss) * 1024;
+    s.traversalBytes = int64_t(world.accel->MemoryBytes());
+    return s;
+}
+
+std::string StatisticsText(const Statistics &s) {
+    const double seconds = s.render.seconds;
+    const double closest = s.render.rays.closest * 1e-6, shadow = s.render.rays.shadow * 1e-6;
+    const double samples = s.render.cameraSamples * 1e-6, rays = closest + shadow;
+    return fmt::format(
+        "Parse          {:10.3f} s\nBuild          {:10.3f} s\nRender         {:10.3f} s\n"
+        "Camera samples {:10.3f} M   {:8.3f} M/s\n"
+        "Rays           {:10.3f} M   {:8.3f} M/s (closest hit {:.3f} M, shadow {:.3f} M)\n"
+        "Memory         {:10.1f} MiB peak, of which traversal {:.1f} MiB\n",
+        s.parseSeconds, s.buildSeconds, seconds, samples, samples / seconds, rays, rays / seconds,
+        closest, shadow, s.peakBytes / 1048576.0, s.traversalBytes / 1048576.0);
+}
+
+std::string StatisticsJson(const Statistics &s) {
+    const nlohmann::ordered_json json = {{"parseSeconds", s.parseSeconds},
+                                         {"buildSeconds", s.buildSeconds},
+                                         {"renderSeconds", s.render.seconds},
+                                         {"cameraSamples", s.render.cameraSamples},
+                                         {"closestHitRays", s.render.rays.closest},
+                                         {"shadowRays", s.render.rays.shadow},
+                                         {"peakBytes", s.peakBytes},
+                                         {"traversalBytes", s.traversalBytes}};
+    return json.dump(2) + "\n";
+}
+
+}  // namespace pbrt

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "pbrt/cpu/render.h"
+
+namespace pbrt {
+
+/// What a run of `pbrt` took.
+struct Statistics {
+    double parseSeconds = 0, buildSeconds = 0;
+    RenderStats render;
+    int64_t peakBytes = 0;       ///< largest resident set of the process so far
+    int64_t traversalBytes = 0;  ///< allocated by Embree
+};
+
+/// Statistics of this process now, for a world that has been rendered.
+Statistics CollectStatistics(const World &world, const RenderStats &render, double parseSeconds,
+                             double buildSeconds);
+
+/// Lines for people.
+std::string StatisticsText(const Statistics &s);
+
+/// One JSON object for programs: parseSeconds, buildSeconds, renderSeconds, cameraSamples,
+/// closestHitRays, shadowRays, peakBytes, traversalBytes.
+std::string StatisticsJson(const Statistics &s);
+
+}  // namespace pbrt
