@@ -8,29 +8,35 @@
 
 namespace pbrt {
 
-/// The corners of one patch.
-struct Patch {
-    Point3f p00, p10, p01, p11;
+// T: float or WideFloat.
 
-    Vector3f DpDu(float v) const { return (1 - v) * (p10 - p00) + v * (p11 - p01); }
-    Vector3f DpDv(float u) const { return (1 - u) * (p01 - p00) + u * (p11 - p10); }
+/// The corners of one patch.
+template <typename T>
+struct PatchT {
+    Vec3<T> p00, p10, p01, p11;
+
+    Vec3<T> DpDu(T v) const { return (1 - v) * (p10 - p00) + v * (p11 - p01); }
+    Vec3<T> DpDv(T u) const { return (1 - u) * (p01 - p00) + u * (p11 - p10); }
 };
+using Patch = PatchT<float>;
 
 /// Bilinear weights of corners 00 10 01 11.
-struct BilinearWeights {
-    float w00, w10, w01, w11;
+template <typename T>
+struct BilinearWeightsT {
+    T w00, w10, w01, w11;
 
-    explicit BilinearWeights(Point2f uv)
+    explicit BilinearWeightsT(Vec2<T> uv)
         : w00((1 - uv.x) * (1 - uv.y)),
           w10(uv.x * (1 - uv.y)),
           w01((1 - uv.x) * uv.y),
           w11(uv.x * uv.y) {}
-    template <typename T>
-    T operator()(T a00, T a10, T a01, T a11) const {
+    template <typename V>
+    V operator()(V a00, V a10, V a01, V a11) const {
         return w00 * a00 + w10 * a10 + w01 * a01 + w11 * a11;
     }
-    Point3f operator()(const Patch &q) const { return (*this)(q.p00, q.p10, q.p01, q.p11); }
+    Vec3<T> operator()(const PatchT<T> &q) const { return (*this)(q.p00, q.p10, q.p01, q.p11); }
 };
+using BilinearWeights = BilinearWeightsT<float>;
 
 inline const uint32_t *PatchIndices(const BilinearMesh &mesh, uint32_t primitive) {
     return &mesh.indices[4 * size_t(primitive)];
@@ -41,37 +47,59 @@ inline Patch GetPatch(const BilinearMesh &mesh, uint32_t primitive) {
 }
 
 /// p11 of a flat patch in the basis (p10 - p00, p01 - p00) at p00; (1, 1) for parallelograms.
-inline Point2f FarCorner(const Patch &q) {
-    const Vector3f e1 = q.p10 - q.p00, e2 = q.p01 - q.p00, d = q.p11 - q.p00;
-    const Vector3f n = Cross(e1, e2);
-    const float inv = 1 / LengthSquared(n);
+template <typename T>
+inline Vec2<T> FarCorner(const PatchT<T> &q) {
+    const Vec3<T> e1 = q.p10 - q.p00, e2 = q.p01 - q.p00, d = q.p11 - q.p00;
+    const Vec3<T> n = Cross(e1, e2);
+    const T inv = 1 / LengthSquared(n);
     return {Dot(Cross(d, e2), n) * inv, Dot(Cross(e1, d), n) * inv};
 }
 
 /// The patch coordinates of a flat, convex patch from those linear in each of its triangles
 /// (BilinearMesh::planar). With far corner (1 + A, 1 + B): a = u (1 + A v), b = v (1 + B u).
-inline Point2f PatchFromLinear(const Patch &q, float u, float v) {
-    const Vector3f skew = (q.p11 - q.p10) - (q.p01 - q.p00);
-    const Vector3f d = q.p11 - q.p00;
-    if (LengthSquared(skew) <= 1e-12f * LengthSquared(d)) return {u, v};
-    const Point2f corner = FarCorner(q);
-    const float A = corner.x - 1, B = corner.y - 1;
-    const bool near = u + v <= 1;
-    const float a = near ? u : u * corner.x - (1 - v) * A;
-    const float b = near ? v : v * corner.y - (1 - u) * B;
+template <typename T>
+inline Vec2<T> PatchFromLinear(const PatchT<T> &q, T u, T v) {
+    const Vec3<T> skew = (q.p11 - q.p10) - (q.p01 - q.p00);
+    const Vec3<T> d = q.p11 - q.p00;
+    const auto straight = LengthSquared(skew) <= 1e-12f * LengthSquared(d);
+    if (All(straight)) [[likely]]
+        return {u, v};
+    const Vec2<T> corner = FarCorner(q);
+    const T A = corner.x - 1, B = corner.y - 1;
+    const auto near = u + v <= 1;
+    const T a = Select(near, u, u * corner.x - (1 - v) * A);
+    const T b = Select(near, v, v * corner.y - (1 - u) * B);
     // A v^2 + v (1 + B a - A b) - b = 0, the root that stays finite as A goes to 0.
-    const float half = 1 + B * a - A * b;
-    const float newV = 2 * b / (half + SafeSqrt(half * half + 4 * A * b));
-    return {std::clamp(a / (1 + A * newV), 0.f, 1.f), std::clamp(newV, 0.f, 1.f)};
+    const T half = 1 + B * a - A * b;
+    const T newV = 2 * b / (half + SafeSqrt(half * half + 4 * A * b));
+    return {Select(straight, u, Clamp(a / (1 + A * newV), 0.f, 1.f)),
+            Select(straight, v, Clamp(newV, 0.f, 1.f))};
 }
 
 /// Unit normal of cross(dpdu, dpdv); at a collapsed corner the patch's overall one.
-inline Normal3f PatchNormal(const Patch &q, Vector3f dpdu, Vector3f dpdv) {
-    const float l2 = LengthSquared(Cross(dpdu, dpdv));
-    const float size2 = LengthSquared(dpdu) * LengthSquared(dpdv);
-    if (l2 > 1e-10f * size2 && l2 > 0) return UnitCross(dpdu, dpdv);
-    return UnitCross(q.p11 - q.p00, q.p01 - q.p10);
+template <typename T>
+inline Vec3<T> PatchNormal(const PatchT<T> &q, Vec3<T> dpdu, Vec3<T> dpdv) {
+    const T l2 = LengthSquared(Cross(dpdu, dpdv));
+    const T size2 = LengthSquared(dpdu) * LengthSquared(dpdv);
+    const auto good = (l2 > 1e-10f * size2) & (l2 > 0);
+    if (All(good)) [[likely]]
+        return UnitCross(dpdu, dpdv);
+    return UnitCross(Select(good, dpdu, q.p11 - q.p00), Select(good, dpdv, q.p01 - q.p10));
 }
+
+/// A hit of a flat patch: its place from the nearer of the two triangles' corners (see
+/// BilinearMesh::planar).
+template <typename T>
+struct FlatHit {
+    MaskFor<T> near;
+    Vec3<T> corner, p;
+
+    FlatHit(const PatchT<T> &q, T u, T v)
+        : near(u + v <= 1),
+          corner(Select(near, q.p00, q.p11)),
+          p(Select(near, T(1 - u - v) * q.p00 + u * q.p10 + v * q.p01,
+                   T(u + v - 1) * q.p11 + T(1 - u) * q.p01 + T(1 - v) * q.p10)) {}
+};
 
 /// uv of the mesh, and tangents with respect to them where they are given.
 inline void SetPatchUV(const BilinearMesh &mesh, const uint32_t *i, Point2f patchUV,
@@ -91,17 +119,16 @@ inline void SetPatchUV(const BilinearMesh &mesh, const uint32_t *i, Point2f patc
     s->dpdv = (du.x * dpdv - dv.x * dpdu) * inv;
 }
 
-/// Position error of a hit: 7 roundings of the bilinear sum and one of the spawned origin; flat
-/// patches also carry Embree's test of one of their triangles.
-inline Vector3f PatchError(const BilinearMesh &mesh, const Patch &q, const Hit &hit,
-                           const BilinearWeights &w, const SurfacePoint &s) {
-    const Vector3f sum = BilinearWeights(w)(Abs(q.p00), Abs(q.p10), Abs(q.p01), Abs(q.p11));
-    Vector3f error = Gamma(9) * sum;
-    if (!mesh.planar) return error;
-    const bool near = hit.u + hit.v <= 1;
-    const Point3f corner = near ? q.p00 : q.p11;
-    const Vector3f e1 = q.p10 - corner, e2 = q.p01 - corner;
-    return error + PlaneTestError(s.p, corner, e1, e2, s.n, DirectionOfCross(e1, e2).inverseLength);
+/// Position error of a hit: 7 roundings of the bilinear sum and one of the spawned origin.
+template <typename T>
+inline Vec3<T> PatchError(const PatchT<T> &q, const BilinearWeightsT<T> &w) {
+    return Gamma(9) * w(Abs(q.p00), Abs(q.p10), Abs(q.p01), Abs(q.p11));
+}
+/// What flat patches carry more: Embree's test of one of their triangles.
+template <typename T>
+inline Vec3<T> FlatPatchError(const PatchT<T> &q, const FlatHit<T> &at, Vec3<T> n) {
+    const Vec3<T> e1 = q.p10 - at.corner, e2 = q.p01 - at.corner;
+    return PlaneTestError(at.p, at.corner, e1, e2, n, DirectionOfCross(e1, e2).inverseLength);
 }
 
 template <bool kWithError>
@@ -111,16 +138,17 @@ inline SurfacePoint InteractBilinear(const BilinearMesh &mesh, const Hit &hit) {
     const Point2f uv = mesh.planar ? PatchFromLinear(q, hit.u, hit.v) : Point2f{hit.u, hit.v};
     const BilinearWeights w(uv);
     SurfacePoint s;
-    if (!mesh.planar)
-        s.p = w(q);
-    else if (hit.u + hit.v <= 1)
-        s.p = (1 - hit.u - hit.v) * q.p00 + hit.u * q.p10 + hit.v * q.p01;
-    else
-        s.p = (hit.u + hit.v - 1) * q.p11 + (1 - hit.u) * q.p01 + (1 - hit.v) * q.p10;
     s.dpdu = q.DpDu(uv.y);
     s.dpdv = q.DpDv(uv.x);
     s.n = PatchNormal(q, s.dpdu, s.dpdv);
-    if constexpr (kWithError) s.pError = PatchError(mesh, q, hit, w, s);
+    if constexpr (kWithError) s.pError = PatchError(q, w);
+    if (mesh.planar) {
+        const FlatHit<float> at(q, hit.u, hit.v);
+        s.p = at.p;
+        if constexpr (kWithError) s.pError = s.pError + FlatPatchError(q, at, s.n);
+    } else {
+        s.p = w(q);
+    }
     if (mesh.flipNormal) s.n = -s.n;
     s.ns = s.n;
     if (!mesh.n.empty()) {

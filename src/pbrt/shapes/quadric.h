@@ -12,10 +12,19 @@ namespace pbrt {
 // Quadrics are intersected and placed in double precision (object space coordinates are never
 // rounded to float), so that the error of a hit is that of rounding its position once.
 
-/// Where a ray's hit lies in object space.
+// D: double or WideDouble (by reference: how 128 bytes are passed differs between compilers).
+
+/// o + t d in object space. M: Matrix4 or WideMatrix.
+template <typename M, typename T>
+inline auto ObjectPoint(const M &objectFromRender, const Vec3<T> &o, const Vec3<T> &d, T t) {
+    const auto at = [&](T from, T direction) {
+        return ToDouble(from) + ToDouble(t) * ToDouble(direction);
+    };
+    return PointInDouble(objectFromRender,
+                         Vec3<decltype(at(t, t))>{at(o.x, d.x), at(o.y, d.y), at(o.z, d.z)});
+}
 inline Vector3d ObjectPoint(const Transform &renderFromObject, const Hit &hit, const Ray &ray) {
-    return PointInDouble(renderFromObject.InverseMatrix(),
-                         ToDouble(ray.o) + double(hit.t) * ToDouble(ray.d));
+    return ObjectPoint(renderFromObject.InverseMatrix(), ray.o, ray.d, hit.t);
 }
 
 /// Angle about z in [0, 2 pi].
@@ -24,17 +33,32 @@ inline float Azimuth(float x, float y) {
     return phi + (phi < 0 ? 2 * Pi : 0);
 }
 
+/// Position and normal from object space ones; n: outward, any length.
+template <bool kWithError, typename M, typename D, typename T>
+inline void PlaceQuadric(const M &renderFromObject, const M &objectFromRender, const Vec3<D> &p,
+                         const Vec3<T> &n, MaskFor<T> flipNormal, SurfacePointT<T> *s) {
+    s->p = ToFloat(PointInDouble(renderFromObject, p));
+    // Rounding of p and of the spawned origin; where large terms cancelled, of double as well.
+    if constexpr (kWithError)
+        s->pError = Gamma(3) * Abs(s->p) + 4e-15f * AbsPoint(renderFromObject, ToFloat(p));
+    const Vec3<T> up = Normalize(Transposed(objectFromRender, n));
+    s->n = s->ns = Select(flipNormal, -up, up);
+}
+
+/// A point near the sphere moved onto it.
+template <typename D, typename T>
+inline Vec3<D> OnSphere(const Vec3<D> &p, T radius) {
+    const D scale = ToDouble(radius) / Sqrt(p.x * p.x + p.y * p.y + p.z * p.z);
+    return {p.x * scale, p.y * scale, p.z * scale};
+}
+
 /// Fills in what all quadrics share, from object space quantities; n: outward, any length.
 template <bool kWithError>
 inline SurfacePoint PlaceQuadric(const Transform &renderFromObject, Vector3d p, Normal3f n,
                                  bool flipNormal, Vector3f dpdu, Vector3f dpdv, Point2f uv) {
     SurfacePoint s;
-    s.p = ToFloat(PointInDouble(renderFromObject.Matrix(), p));
-    // Rounding of p and of the spawned origin; where large terms cancelled, of double as well.
-    if constexpr (kWithError)
-        s.pError = Gamma(3) * Abs(s.p) + 4e-15f * AbsPoint(renderFromObject.Matrix(), ToFloat(p));
-    const Normal3f up = Normalize(renderFromObject.Normal(n));
-    s.n = s.ns = flipNormal ? -up : up;
+    PlaceQuadric<kWithError>(renderFromObject.Matrix(), renderFromObject.InverseMatrix(), p, n,
+                             flipNormal, &s);
     s.dpdu = s.dpdus = renderFromObject.Vector(dpdu);
     s.dpdv = renderFromObject.Vector(dpdv);
     s.uv = {std::clamp(uv.x, 0.f, 1.f), std::clamp(uv.y, 0.f, 1.f)};
@@ -58,8 +82,7 @@ inline Point2f SphereUV(const Sphere &sphere, Vector3f p) {
 
 template <bool kWithError>
 inline SurfacePoint InteractSphere(const Sphere &sphere, const Hit &hit, const Ray &ray) {
-    Vector3d p = ObjectPoint(sphere.renderFromObject, hit, ray);
-    p = p * (sphere.radius / Length(p));
+    const Vector3d p = OnSphere(ObjectPoint(sphere.renderFromObject, hit, ray), sphere.radius);
     const Vector3f q = ToFloat(p);
     // At the poles dpdu vanishes; keep a direction.
     const float rho = std::sqrt(Sqr(q.x) + Sqr(q.y)), least = 1e-5f * sphere.radius;

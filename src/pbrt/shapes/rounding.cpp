@@ -10,4 +10,14 @@ CrossDirection CrossDirectionInDouble(Vector3f a, Vector3f b) {
     return {ToFloat(d * inverse), float(std::min(inverse, 1e30))};
 }
 
+CrossDirectionT<WideFloat> CrossDirectionInDouble(WideVector3f a, WideVector3f b) {
+    CrossDirectionT<WideFloat> c;
+    for (int i = 0; i < kWide; ++i) {
+        const CrossDirection lane = DirectionOfCross(Lane(a, i), Lane(b, i));
+        SetLane(&c.n, i, lane.n);
+        c.inverseLength[i] = lane.inverseLength;
+    }
+    return c;
+}
+
 }  // namespace pbrt

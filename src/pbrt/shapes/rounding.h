@@ -3,31 +3,53 @@
 #include <algorithm>
 
 #include "pbrt/util/transform.h"
-#include "pbrt/util/vecmath.h"
+#include "pbrt/util/wide.h"
 
 namespace pbrt {
 
 using Vector3d = Vec3<double>;
 
-inline Vector3d ToDouble(Vector3f v) {
-    return {v.x, v.y, v.z};
+inline double ToDouble(float a) {
+    return a;
 }
-inline Vector3f ToFloat(Vector3d v) {
-    return {float(v.x), float(v.y), float(v.z)};
+inline WideDouble ToDouble(WideFloat a) {
+    return __builtin_convertvector(a, WideDouble);
+}
+inline float ToFloat(double a) {
+    return float(a);
+}
+inline WideFloat ToFloat(const WideDouble &a) {
+    return __builtin_convertvector(a, WideFloat);
+}
+template <typename T>
+inline auto ToDouble(const Vec3<T> &v) {
+    return Vec3<decltype(ToDouble(v.x))>{ToDouble(v.x), ToDouble(v.y), ToDouble(v.z)};
+}
+template <typename D>
+inline auto ToFloat(const Vec3<D> &v) {
+    return Vec3<decltype(ToFloat(v.x))>{ToFloat(v.x), ToFloat(v.y), ToFloat(v.z)};
 }
 
+/// The upper rows of sixteen matrices.
+using WideMatrix = std::array<std::array<WideFloat, 4>, 3>;
+
+// M: Matrix4 or WideMatrix.
+
 /// m applied to a point without float rounding; m is affine.
-inline Vector3d PointInDouble(const Matrix4 &m, Vector3d p) {
-    return {m[0][0] * p.x + m[0][1] * p.y + m[0][2] * p.z + m[0][3],
-            m[1][0] * p.x + m[1][1] * p.y + m[1][2] * p.z + m[1][3],
-            m[2][0] * p.x + m[2][1] * p.y + m[2][2] * p.z + m[2][3]};
+template <typename M, typename D>
+inline Vec3<D> PointInDouble(const M &m, const Vec3<D> &p) {
+    const auto row = [&](size_t i) {
+        return ToDouble(m[i][0]) * p.x + ToDouble(m[i][1]) * p.y + ToDouble(m[i][2]) * p.z +
+               ToDouble(m[i][3]);
+    };
+    return {row(0), row(1), row(2)};
 }
 
 /// |m| applied to |p|: the size of what PointInDouble and Transform::Point sum up.
-inline Vector3f AbsPoint(const Matrix4 &m, Point3f p) {
-    const auto row = [&](int i) {
-        return std::abs(m[i][0] * p.x) + std::abs(m[i][1] * p.y) + std::abs(m[i][2] * p.z) +
-               std::abs(m[i][3]);
+template <typename M, typename T>
+inline Vec3<T> AbsPoint(const M &m, Vec3<T> p) {
+    const auto row = [&](size_t i) {
+        return Abs(m[i][0] * p.x) + Abs(m[i][1] * p.y) + Abs(m[i][2] * p.z) + Abs(m[i][3]);
     };
     return {row(0), row(1), row(2)};
 }
@@ -39,32 +61,45 @@ inline Vector3f AbsVector(const Matrix4 &m, Vector3f v) {
 }
 
 /// A cross product's direction and the inverse of its length.
-struct CrossDirection {
-    Normal3f n;
-    float inverseLength;
+template <typename T>
+struct CrossDirectionT {
+    Vec3<T> n;
+    T inverseLength;
 };
+using CrossDirection = CrossDirectionT<float>;
 
 /// Where float over- or underflows: through double, and (0, 0, 1), 0 for parallel vectors.
 [[gnu::cold]] CrossDirection CrossDirectionInDouble(Vector3f a, Vector3f b);
 
-inline CrossDirection DirectionOfCross(Vector3f a, Vector3f b) {
-    const Vector3f c = Cross(a, b);
-    const float l2 = LengthSquared(c);
-    if (!(l2 > 1e-30f && l2 < 1e30f)) [[unlikely]]
+[[gnu::cold]] CrossDirectionT<WideFloat> CrossDirectionInDouble(WideVector3f a, WideVector3f b);
+
+/// Whether a squared length is neither over- nor underflowing.
+template <typename T>
+inline auto IsSafe(T length2) {
+    return (length2 > 1e-30f) & (length2 < 1e30f);
+}
+
+template <typename T>
+inline CrossDirectionT<T> DirectionOfCross(Vec3<T> a, Vec3<T> b) {
+    const Vec3<T> c = Cross(a, b);
+    const T l2 = LengthSquared(c);
+    if (!All(IsSafe(l2))) [[unlikely]]
         return CrossDirectionInDouble(a, b);
-    const float inverse = 1 / std::sqrt(l2);
+    const T inverse = 1 / Sqrt(l2);
     return {c * inverse, inverse};
 }
 
 /// Cross(a, b) normalised; (0, 0, 1) where the vectors are parallel.
-inline Normal3f UnitCross(Vector3f a, Vector3f b) {
+template <typename T>
+inline Vec3<T> UnitCross(Vec3<T> a, Vec3<T> b) {
     return DirectionOfCross(a, b).n;
 }
 
 /// v normalised, or `other` where v has no direction.
-inline Vector3f UnitOr(Vector3f v, Vector3f other) {
-    const float l2 = LengthSquared(v);
-    return l2 > 1e-30f && l2 < 1e30f ? v * (1 / std::sqrt(l2)) : other;
+template <typename T>
+inline Vec3<T> UnitOr(Vec3<T> v, Vec3<T> other) {
+    const T l2 = LengthSquared(v);
+    return Select(IsSafe(l2), v * (1 / Sqrt(l2)), other);
 }
 
 /// How far from a triangle's plane a ray's origin must be, per axis, for Embree's test in float to
@@ -74,10 +109,11 @@ inline Vector3f UnitOr(Vector3f v, Vector3f other) {
 /// 24 of them (edges 3, products 7, difference 8, with p0 - o 10, sum 12, twice for two products);
 /// 4e5 random rays need 1; 4 are taken, for slivers would be left too far behind.
 /// e1, e2: edges at p0; p: a point of the plane.
-inline Vector3f PlaneTestError(Point3f p, Point3f p0, Vector3f e1, Vector3f e2, Normal3f n,
-                               float inverseLengthNg) {
-    const Vector3f c = Abs(p0 - p), e = Max(Max(Abs(e1), Abs(e2)), Abs(e2 - e1));
-    const Vector3f f = e * (Gamma(4) * inverseLengthNg);
+template <typename T>
+inline Vec3<T> PlaneTestError(Vec3<T> p, Vec3<T> p0, Vec3<T> e1, Vec3<T> e2, Vec3<T> n,
+                              T inverseLengthNg) {
+    const Vec3<T> c = Abs(p0 - p), e = Max(Max(Abs(e1), Abs(e2)), Abs(e2 - e1));
+    const Vec3<T> f = e * (Gamma(4) * inverseLengthNg);
     return Abs(n) * (c.x * f.y * e.z + c.y * f.z * e.x + c.z * f.x * e.y);
 }
 

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "pbrt/util/vecmath.h"
+#include "pbrt/util/wide.h"
 
 namespace pbrt {
 
@@ -19,23 +19,43 @@ struct Hit {
 
 /// A point on a surface, all in rendering space. n and ns are unit and n points to the outside as
 /// ReverseOrientation and handedness say; ns lies in n's hemisphere.
-struct SurfacePoint {
-    Point3f p;
-    Vector3f pError;  ///< conservative absolute error of p per axis, with the rounding of a spawned
-                      ///< ray's origin and of its test against this primitive
-    Normal3f n, ns;
-    Vector3f dpdu, dpdv;  ///< of the true surface
-    Vector3f dpdus;       ///< shading tangent: the BSDF frame's x (S where given)
-    Point2f uv;
-    int faceIndex = 0;
+template <typename T>
+struct SurfacePointT {
+    Vec3<T> p;
+    Vec3<T> pError;  ///< conservative absolute error of p per axis, with the rounding of a spawned
+                     ///< ray's origin and of its test against this primitive
+    Vec3<T> n, ns;
+    Vec3<T> dpdu, dpdv;  ///< of the true surface
+    Vec3<T> dpdus;       ///< shading tangent: the BSDF frame's x (S where given)
+    Vec2<T> uv;
+    IntOf<T> faceIndex{};
 
-    Frame ShadingFrame() const { return Frame::FromZTangent(ns, dpdus); }
+    FrameT<T> ShadingFrame() const { return FrameT<T>::FromZTangent(ns, dpdus); }
     /// Origin for a ray that leaves into direction w without meeting this surface again.
-    Point3f OffsetOrigin(Vector3f w) const {
-        const float d = Dot(Abs(n), pError);
-        return p + n * (Dot(w, n) < 0 ? -d : d);
+    Vec3<T> OffsetOrigin(Vec3<T> w) const {
+        const T d = Dot(Abs(n), pError);
+        return p + n * Select(Dot(w, n) < 0, -d, d);
     }
 };
+using SurfacePoint = SurfacePointT<float>;
+using SurfacePoints = SurfacePointT<WideFloat>;
+
+/// Lane i.
+inline SurfacePoint Lane(const SurfacePoints &s, int i) {
+    return {Lane(s.p, i),    Lane(s.pError, i), Lane(s.n, i),  Lane(s.ns, i), Lane(s.dpdu, i),
+            Lane(s.dpdv, i), Lane(s.dpdus, i),  Lane(s.uv, i), s.faceIndex[i]};
+}
+inline void SetLane(SurfacePoints *s, int i, const SurfacePoint &value) {
+    SetLane(&s->p, i, value.p);
+    SetLane(&s->pError, i, value.pError);
+    SetLane(&s->n, i, value.n);
+    SetLane(&s->ns, i, value.ns);
+    SetLane(&s->dpdu, i, value.dpdu);
+    SetLane(&s->dpdv, i, value.dpdv);
+    SetLane(&s->dpdus, i, value.dpdus);
+    SetLane(&s->uv, i, value.uv);
+    s->faceIndex[i] = value.faceIndex;
+}
 
 /// A point drawn on an emitter. pdf per unit area, or per unit solid angle, as the call says.
 struct ShapeSample {

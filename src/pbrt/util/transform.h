@@ -10,6 +10,14 @@ namespace pbrt {
 /// 4 x 4 matrix, m[row][column], acting on column vectors.
 using Matrix4 = std::array<std::array<float, 4>, 4>;
 
+/// The upper left part of m, transposed, applied to v: a normal's transform, m being the inverse.
+template <typename M, typename T>
+inline Vec3<T> Transposed(const M &m, Vec3<T> v) {
+    return {m[0][0] * v.x + m[1][0] * v.y + m[2][0] * v.z,
+            m[0][1] * v.x + m[1][1] * v.y + m[2][1] * v.z,
+            m[0][2] * v.x + m[1][2] * v.y + m[2][2] * v.z};
+}
+
 /// Affine (or projective) map with its inverse. Composition: (A * B)(p) = A(B(p)).
 class Transform {
   public:
@@ -53,11 +61,7 @@ class Transform {
                 m[2][0] * v.x + m[2][1] * v.y + m[2][2] * v.z};
     }
     /// By the inverse transpose; not normalised.
-    Normal3f Normal(Normal3f n) const {
-        return {mInv[0][0] * n.x + mInv[1][0] * n.y + mInv[2][0] * n.z,
-                mInv[0][1] * n.x + mInv[1][1] * n.y + mInv[2][1] * n.z,
-                mInv[0][2] * n.x + mInv[1][2] * n.y + mInv[2][2] * n.z};
-    }
+    Normal3f Normal(Normal3f n) const { return Transposed(mInv, n); }
     Bounds3f Bounds(const Bounds3f &b) const;
 
   private:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "pbrt/pbrt.h"
 
@@ -131,30 +132,38 @@ struct Ray {
 };
 
 /// Orthonormal frame; ToLocal and FromLocal turn vectors between it and the space of x, y, z.
-struct Frame {
-    Vector3f x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+/// T: float, or several of them side by side.
+template <typename T>
+struct FrameT {
+    Vec3<T> x{T{} + 1, T{}, T{}}, y{T{}, T{} + 1, T{}}, z{T{}, T{}, T{} + 1};
 
     /// Frame about the unit vector z, x and y anywhere (Duff et al. 2017, "Building an
     /// Orthonormal Basis, Revisited").
-    static Frame FromZ(Vector3f z) {
-        const float sign = std::copysign(1.f, z.z);
-        const float a = -1 / (sign + z.z), b = z.x * z.y * a;
-        return {{1 + sign * Sqr(z.x) * a, sign * b, -sign * z.x},
-                {b, sign + Sqr(z.y) * a, -z.y},
-                z};
+    static FrameT FromZ(Vec3<T> z) {
+        const T sign = z.z < 0 ? T{} - 1 : T{} + 1;
+        const T a = -1 / (sign + z.z), b = z.x * z.y * a;
+        return {
+            {1 + sign * Sqr(z.x) * a, sign * b, -sign * z.x}, {b, sign + Sqr(z.y) * a, -z.y}, z};
     }
     /// Frame about the unit vector z with x along the part of `tangent` orthogonal to z; any x
     /// where there is no such part.
-    static Frame FromZTangent(Vector3f z, Vector3f tangent) {
-        const Vector3f t = tangent - Dot(tangent, z) * z;
-        const float l2 = LengthSquared(t);
-        if (!(l2 > 1e-10f * LengthSquared(tangent)) || !(l2 < Infinity)) return FromZ(z);
-        const Vector3f x = t * (1 / std::sqrt(l2));
-        return {x, Cross(z, x), z};
+    static FrameT FromZTangent(Vec3<T> z, Vec3<T> tangent) {
+        const Vec3<T> t = tangent - Dot(tangent, z) * z;
+        const T l2 = LengthSquared(t);
+        const auto usable = (l2 > 1e-10f * LengthSquared(tangent)) & (l2 < Infinity);
+        const Vec3<T> x = t * (1 / Length(t));
+        const FrameT along{x, Cross(z, x), z};
+        if constexpr (std::is_arithmetic_v<T>) {
+            return usable ? along : FromZ(z);
+        } else {
+            const FrameT any = FromZ(z);
+            return {Select(usable, along.x, any.x), Select(usable, along.y, any.y), z};
+        }
     }
-    Vector3f ToLocal(Vector3f v) const { return {Dot(v, x), Dot(v, y), Dot(v, z)}; }
-    Vector3f FromLocal(Vector3f v) const { return v.x * x + v.y * y + v.z * z; }
+    Vec3<T> ToLocal(Vec3<T> v) const { return {Dot(v, x), Dot(v, y), Dot(v, z)}; }
+    Vec3<T> FromLocal(Vec3<T> v) const { return v.x * x + v.y * y + v.z * z; }
 };
+using Frame = FrameT<float>;
 
 // Directions in a BxDF's local frame.
 inline float CosTheta(Vector3f w) { return w.z; }

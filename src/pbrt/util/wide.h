@@ -23,6 +23,7 @@ inline constexpr int kWide = 16;
 using WideFloat = float __attribute__((vector_size(64)));
 using WideInt = int32_t __attribute__((vector_size(64)));
 using WideUint = uint32_t __attribute__((vector_size(64)));
+using WideDouble = double __attribute__((vector_size(128)));
 using WideUint64 = uint64_t __attribute__((vector_size(128)));
 /// What comparing gives: in each lane all bits or none.
 using WideMask = WideInt;
@@ -34,6 +35,7 @@ using WideVector3f = Vec3<WideFloat>;
 using WidePoint3f = Vec3<WideFloat>;
 using WideNormal3f = Vec3<WideFloat>;
 using WidePoint2f = Vec2<WideFloat>;
+using WideFrame = FrameT<WideFloat>;
 
 /// The lanes 0 to n - 1.
 constexpr LaneBits FirstLanes(int n) {
@@ -50,6 +52,11 @@ template <typename T>
 struct IsWideTrait : std::false_type {};
 template <>
 struct IsWideTrait<WideFloat> : std::true_type {};
+/// What comparing two T gives.
+template <typename T>
+using MaskFor = std::conditional_t<IsWideTrait<T>::value, WideMask, bool>;
+template <typename T>
+using IntOf = std::conditional_t<IsWideTrait<T>::value, WideInt, int>;
 /// Whether T stands for sixteen numbers.
 template <typename T>
 inline constexpr bool IsWide = IsWideTrait<T>::value;
@@ -62,6 +69,9 @@ inline uint32_t Select(bool condition, uint32_t a, uint32_t b) {
     return condition ? a : b;
 }
 inline float Sqrt(float a) {
+    return std::sqrt(a);
+}
+inline double Sqrt(double a) {
     return std::sqrt(a);
 }
 inline float Abs(float a) {
@@ -84,6 +94,9 @@ inline uint32_t Truncate(float a) {
     return uint32_t(int32_t(a));
 }
 inline bool Any(bool condition) {
+    return condition;
+}
+inline bool All(bool condition) {
     return condition;
 }
 
@@ -115,10 +128,20 @@ template <typename M, typename T>
 inline Vec3<T> Select(M mask, Vec3<T> a, Vec3<T> b) {
     return {Select(mask, a.x, b.x), Select(mask, a.y, b.y), Select(mask, a.z, b.z)};
 }
+template <typename M, typename T>
+inline Vec2<T> Select(M mask, Vec2<T> a, Vec2<T> b) {
+    return {Select(mask, a.x, b.x), Select(mask, a.y, b.y)};
+}
 inline WideFloat Sqrt(WideFloat a) {
     for (int i = 0; i < kWide; ++i)  // one instruction
         a[i] = std::sqrt(a[i]);
     return a;
+}
+inline WideDouble Sqrt(const WideDouble &a) {
+    WideDouble root;
+    for (int i = 0; i < kWide; ++i)
+        root[i] = std::sqrt(a[i]);
+    return root;
 }
 inline WideFloat Floor(WideFloat a) {
     for (int i = 0; i < kWide; ++i)  // one instruction
@@ -169,6 +192,27 @@ inline WideFloat ToFloat(WideUint a) {
 inline WideFloat ToUnitFloat(WideUint bits) {
     return ToFloat(bits >> 8) * 0x1p-24f;
 }
+inline WideFloat Clamp(WideFloat a, float low, float high) {
+    return Min(Max(a, low), high);
+}
+inline float Clamp(float a, float low, float high) {
+    return std::clamp(a, low, high);
+}
+inline WideFloat SafeSqrt(WideFloat a) {
+    return Sqrt(Max(a, 0.f));
+}
+inline Vec3<WideFloat> operator*(float s, Vec3<WideFloat> a) {
+    return {s * a.x, s * a.y, s * a.z};
+}
+inline Vec3<WideFloat> Max(Vec3<WideFloat> a, Vec3<WideFloat> b) {
+    return {Max(a.x, b.x), Max(a.y, b.y), Max(a.z, b.z)};
+}
+inline WideFloat AbsDot(Vec3<WideFloat> a, Vec3<WideFloat> b) {
+    return Abs(Dot(a, b));
+}
+inline Vec3<WideFloat> FaceForward(Vec3<WideFloat> n, Vec3<WideFloat> v) {
+    return Select(Dot(n, v) < 0, -n, n);
+}
 inline Vec3<WideFloat> Abs(Vec3<WideFloat> a) {
     return {Abs(a.x), Abs(a.y), Abs(a.z)};
 }
@@ -197,6 +241,9 @@ inline WideMask MaskOf(LaneBits bits) {
 }
 inline bool Any(WideMask mask) {
     return BitsOf(mask) != 0;
+}
+inline bool All(WideMask mask) {
+    return BitsOf(mask) == kAllLanes;
 }
 
 /// 16 successive numbers; any alignment.
@@ -262,8 +309,7 @@ inline void Scatter(float *to, WideUint index, WideFloat v, LaneBits lanes) {
 /// The given lanes of v, one after another; writes up to sixteen numbers.
 inline void StoreLanes(float *to, WideFloat v, LaneBits lanes) {
 #if defined(__AVX512F__)
-    _mm512_storeu_ps(
-        to, _mm512_maskz_compress_ps(__mmask16(lanes), std::bit_cast<__m512>(v)));
+    _mm512_storeu_ps(to, _mm512_maskz_compress_ps(__mmask16(lanes), std::bit_cast<__m512>(v)));
 #else
     ForEachLane(lanes, [&](int i) { *to++ = v[i]; });
 #endif
@@ -276,8 +322,14 @@ inline void StoreLanes(uint32_t *to, WideUint v, LaneBits lanes) {
 inline Vector3f Lane(const Vec3<WideFloat> &v, int i) {
     return {v.x[i], v.y[i], v.z[i]};
 }
+inline Point2f Lane(const Vec2<WideFloat> &v, int i) {
+    return {v.x[i], v.y[i]};
+}
 inline void SetLane(Vec3<WideFloat> *v, int i, Vector3f value) {
     v->x[i] = value.x, v->y[i] = value.y, v->z[i] = value.z;
+}
+inline void SetLane(Vec2<WideFloat> *v, int i, Point2f value) {
+    v->x[i] = value.x, v->y[i] = value.y;
 }
 
 }  // namespace pbrt
