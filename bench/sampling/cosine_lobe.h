@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pbrt/cpu/vertex.h"
+#include "pbrt/cpu/vertices.h"
 #include "pbrt/util/sampling.h"
 
 namespace pbrt::bench {
@@ -41,7 +41,7 @@ class CosineLobe {
     FeatherBarbuleBxDF feather;
 };
 
-/// For PathVertex: feathers are drawn by the cosine lobe, all else as it is.
+/// For Vertices: feathers are drawn by the cosine lobe, all else as it is.
 struct FeathersByCosine : BSDFAsItIs {
     using BSDFAsItIs::At;
     static CosineLobe At(const FeatherBarbuleMaterial &feather, const TextureEvalContext &ctx,

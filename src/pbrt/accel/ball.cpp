@@ -33,9 +33,6 @@ double Choose(bool condition, double a, double b) {
 double Root(double a) {
     return std::sqrt(a);
 }
-double WithSign(double size, double sign) {
-    return std::copysign(size, sign);
-}
 bool None(bool hit) {
     return !hit;
 }
@@ -46,11 +43,6 @@ Double8 Root(Double8 a) {
     for (int i = 0; i < 8; ++i)  // one instruction
         a[i] = std::sqrt(a[i]);
     return a;
-}
-Double8 WithSign(Double8 size, Double8 sign) {
-    constexpr int64_t kSign = std::numeric_limits<int64_t>::min();
-    return std::bit_cast<Double8>((std::bit_cast<Long8>(size) & ~kSign) |
-                                  (std::bit_cast<Long8>(sign) & kSign));
 }
 bool None(Long8) {
     return false;
@@ -73,7 +65,9 @@ inline auto Meet(T radius, Vec3<T> o, Vec3<T> d, T tMax) {
     auto hit = (discriminant >= 0) & ((c <= 0) | (b > 0));
     using Mask = decltype(hit);
     if (None(hit)) return Met<T, Mask>{hit, T{}};
-    const T q = b + WithSign(Root(discriminant), b);
+    const T root = Root(discriminant);
+    // By comparison, not by its sign bit: from the center b may be -0.
+    const T q = b + Choose(b < 0, -root, root);
     const auto entering = (c > 0) | (b < 0);
     const T t = Choose(entering, c, q) / Choose(entering, q, a);
     hit = hit & (t > 0) & (t <= tMax);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "pbrt/shapes/surface_point.h"
 #include "pbrt/util/wide.h"
 
 namespace pbrt {
@@ -28,6 +29,10 @@ enum class Coherence { Scattered, Alike };
 struct alignas(64) HitPacket {
     WideFloat t, u, v;
     WideUint geometry, primitive, instance;
+
+    Hit At(int lane) const {
+        return {t[lane], u[lane], v[lane], geometry[lane], primitive[lane], instance[lane]};
+    }
 };
 
 }  // namespace pbrt

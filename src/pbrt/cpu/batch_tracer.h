@@ -3,9 +3,7 @@
 #include "pbrt/cpu/first_seen.h"
 #include "pbrt/cpu/gaps.h"
 #include "pbrt/cpu/path_batch.h"
-#include "pbrt/cpu/surface_kinds.h"
-#include "pbrt/cpu/vertex.h"
-#include "pbrt/cpu/wide_vertex.h"
+#include "pbrt/cpu/vertices.h"
 
 namespace pbrt {
 
@@ -15,8 +13,7 @@ namespace pbrt {
 template <typename SamplerT, typename Scattering = BSDFAsItIs>
 class BatchTracer {
   public:
-    BatchTracer(const World &world, const SamplerT &sampler)
-        : world(world), sampler(sampler), kinds(world) {}
+    BatchTracer(const World &world, const SamplerT &sampler) : world(world), sampler(sampler) {}
 
     /// Adds the samples to the pixels' sums; batch.Size() <= kBatchSize.
     void Trace(const Batch &what, std::span<Film::Pixel> sums, RayCounts &counts) {
@@ -31,6 +28,7 @@ class BatchTracer {
     }
 
   private:
+    static constexpr size_t kTypes = std::variant_size_v<Material>;
     // Dimensions of the camera's numbers.
     static constexpr int kWavelength = 0, kFilm = 1, kTime = 2, kLens = 3,
                          kFirstVertexDimension = 4;
@@ -44,9 +42,9 @@ class BatchTracer {
         std::fill_n(&paths.pixel[slot], kWide, 0u);
         paths.queue->Clear();
         for (uint32_t first = 0; first < slot; first += kWide)
-            StartPaths(first, std::min(uint32_t(kWide), slot - first));
+            StartPaths(first, int(std::min(uint32_t(kWide), slot - first)));
     }
-    void StartPaths(uint32_t first, uint32_t count) {
+    void StartPaths(uint32_t first, int count) {
         const WideUint pixel = LoadWide(&paths.pixel[first]), k = LoadWide(&paths.sample[first]);
         const bool jitters = !world.options.disablePixelJitter;
         const WideFloat half = Broadcast16(0.5f);
@@ -57,25 +55,31 @@ class BatchTracer {
         if (world.moves) time = jitters ? sampler.Get1D(kTime, pixel, k) : half;
         WidePoint2f uLens{half, half};
         if (world.camera.HasLens() && jitters) uLens = sampler.Get2D(kLens, pixel, k);
-        for (uint32_t i = 0; i < count; ++i) {
+        PathLanes path{};
+        path.slot = kLaneNumbers + first;
+        path.time = time;
+        path.etaScale = Broadcast16(1.f);
+        for (int i = 0; i < count; ++i) {
             const FilterSample onFilm =
                 jitters ? Sample(world.filter, {uFilm.x[i], uFilm.y[i]}) : FilterSample{{0, 0}, 1};
-            StartPath(first + i, uLambda[i], onFilm, {uLens.x[i], uLens.y[i]}, time[i]);
+            const Point2i at = batch.pixels[pixel[i]];
+            const Ray ray =
+                world.camera.GenerateRay({at.x + 0.5f + onFilm.p.x, at.y + 0.5f + onFilm.p.y},
+                                         {uLens.x[i], uLens.y[i]}, time[i]);
+            SetLane(&path.o, i, ray.o);
+            SetLane(&path.d, i, ray.d);
+            path.time[i] = ray.time;
+            path.beta[size_t(i)] = SampledSpectrum(1);
+            StartPath(first + uint32_t(i), uLambda[i], onFilm.weight, ray);
         }
+        paths.queue->Add(path, FirstLanes(count));
     }
-    void StartPath(uint32_t slot, float uLambda, const FilterSample &onFilm, Point2f lens,
-                   float time) {
-        const Point2i pixel = batch.pixels[paths.pixel[slot]];
+    void StartPath(uint32_t slot, float uLambda, float weight, const Ray &ray) {
         paths.lambda[slot] = world.film.SampleWavelengths(uLambda);
         paths.L[slot] = SampledSpectrum(0);
-        filterWeight[slot] = onFilm.weight;
-        PathState path;
-        path.beta = SampledSpectrum(1);
-        path.ray = world.camera.GenerateRay(
-            {pixel.x + 0.5f + onFilm.p.x, pixel.y + 0.5f + onFilm.p.y}, lens, time);
-        paths.queue->Add(slot, path);
+        filterWeight[slot] = weight;
         if (world.film.WantsSurface()) [[unlikely]]
-            seen[slot] = FirstSeen(world, path.ray, paths.lambda[slot]);
+            seen[slot] = FirstSeen(world, ray, paths.lambda[slot]);
     }
 
     /// One vertex of every path in the queue. Paths that meet the same kind of surface follow one
@@ -87,8 +91,8 @@ class BatchTracer {
             list.size = 0;
         for (int first = 0; first < paths.queue->Size(); first += kWide)
             Intersect(first, std::min(kWide, paths.queue->Size() - first));
-        for (int kind = 0; kind < SurfaceKinds::kMost; ++kind) {
-            const PathList &list = lists[size_t(kind)];
+        for (size_t kind = 0; kind < lists.size(); ++kind) {
+            const PathList &list = lists[kind];
             for (int first = 0; first < list.size; first += kWide)
                 Meet(kind, &list.at[size_t(first)], std::min(kWide, list.size - first), dimension);
         }
@@ -97,59 +101,50 @@ class BatchTracer {
     }
 
     void Intersect(int first, int count) {
-        HitPacket &packet = paths.hits[size_t(first / kWide)];
-        const LaneBits met =
-            world.accel->Intersect(paths.queue->Rays(first), FirstLanes(count), &packet);
+        const RayPacket packet = paths.queue->Rays(first);
+        HitPacket hits;
+        const LaneBits met = world.accel->Intersect(packet, FirstLanes(count), &hits);
         rays->closest += count;
+        paths.SetHits(first, hits);
         for (int i = 0; i < count; ++i) {
-            const int kind = met >> i & 1 ? kinds.Of(packet.geometry[i]) : SurfaceKinds::kNone;
-            PathList &list = lists[size_t(kind)];
+            PathList &list = lists[met >> i & 1 ? KindMet(first + i, hits.At(i), packet.At(i)) : 0];
             list.at[size_t(list.size++)] = uint32_t(first + i);
         }
     }
+    /// Type of the material that the path at this place meets.
+    size_t KindMet(int at, const Hit &hit, const Ray &ray) {
+        MaterialId id = world.geometries[hit.geometry].material;
+        if (world.AsMix(id)) [[unlikely]]
+            id = world.MaterialMet(id, world.Interact(hit, ray), ray.d);
+        paths.material[size_t(at)] = uint32_t(id);
+        return 1 + world.materials[size_t(id)].index();
+    }
 
     /// Paths at the given places of the queue, all of one kind.
-    void Meet(int kind, const uint32_t *at, int count, int dimension) {
-        if (kind == SurfaceKinds::kNone) {
-            if (world.infiniteLights.empty()) return;
-            for (int i = 0; i < count; ++i)
-                MeetOne(int(at[i]), [](auto &vertex) { return vertex.Miss(), false; });
-            return;
+    void Meet(size_t kind, const uint32_t *from, int count, int dimension) {
+        WideUint at;
+        for (int i = 0; i < kWide; ++i)
+            at[i] = from[std::min(i, count - 1)];
+        if (kind == 0) return LeaveScene(at, count);
+        const WideUint slot = paths.queue->SlotsAt(at);
+        const auto numbers = VertexNumbers::Draw(sampler, dimension, Gather(&paths.pixel[0], slot),
+                                                 Gather(&paths.sample[0], slot));
+        [&]<size_t... K>(std::index_sequence<K...>) {
+            (void)((kind == K + 1 && (Vertices<std::variant_alternative_t<K, Material>, Scattering>(
+                                          world, paths, numbers)
+                                          .Meet(at, count),
+                                      true)) ||
+                   ...);
         }
-        WideUint places, slots, pixel, k;
-        for (int i = 0; i < kWide; ++i) {
-            places[i] = at[std::min(i, count - 1)];
-            slots[i] = paths.queue->slot[places[i]];
-            pixel[i] = paths.pixel[slots[i]];
-            k[i] = paths.sample[slots[i]];
-        }
-        VertexDraws<SamplerT> draws{sampler, dimension, pixel, k};
-        if (kind == SurfaceKinds::kWideDiffuse) {
-            WideVertex<SamplerT>(world, paths, draws).Meet(places, slots, count);
-            return;
-        }
-        const WideFloat light = draws.Light(), lobe = draws.Lobe(), roulette = draws.Roulette();
-        const WidePoint2f point = draws.LightPoint(), direction = draws.Direction();
-        for (int i = 0; i < count; ++i) {
-            const VertexNumbers numbers{light[i],
-                                        {point.x[i], point.y[i]},
-                                        lobe[i],
-                                        {direction.x[i], direction.y[i]},
-                                        roulette[i]};
-            MeetOne(int(at[i]), [&](auto &vertex) {
-                return vertex.Meet(paths.HitOf(int(at[i])), numbers);
-            });
-        }
+        (std::make_index_sequence<kTypes>());
     }
-    template <typename F>
-    void MeetOne(int at, const F &meet) {
-        const uint32_t slot = paths.queue->slot[size_t(at)];
-        PathState path = paths.queue->At(at);
-        ShadowTest shadow;
-        PathVertex<Scattering> vertex(world, path, paths.lambda[slot], paths.L[slot], shadow);
-        const bool goesOn = meet(vertex);
-        if (shadow.light) paths.shadows.Add(slot, path.ray.time, shadow);
-        if (goesOn) paths.next->Add(slot, path);
+    void LeaveScene(const WideUint &at, int count) {
+        if (world.infiniteLights.empty()) return;
+        const PathLanes path = paths.queue->At(at);
+        for (int i = 0; i < count; ++i) {
+            const uint32_t slot = path.slot[i];
+            paths.L[slot] += LightFromInfinity(world, path.At(i), paths.lambda[slot]);
+        }
     }
 
     void TraceShadows() {
@@ -159,7 +154,7 @@ class BatchTracer {
             const LaneBits lanes = FirstLanes(shadows.Size() - first);
             const RayPacket packet = shadows.Rays(first);
             const auto gain = [&](int i, float share) {
-                paths.L[shadows.slot[size_t(first + i)]] += shadows.light[size_t(first + i)] * share;
+                paths.L[shadows.Slot(first + i)] += shadows.Gain(first + i) * share;
             };
             if (world.accel->HasGaps()) {
                 WideFloat passed;
@@ -191,14 +186,14 @@ class BatchTracer {
     RayCounts *rays = nullptr;
     Batch batch;
     PathBatch paths;
-    SurfaceKinds kinds;
     /// Places in the queue.
     struct PathList {
         BatchArray<uint32_t> at;
         int size = 0;
     };
-    std::array<PathList, SurfaceKinds::kMost> lists;  ///< by kind
-    BatchArray<float> filterWeight;                   ///< by slot, as is the next
+    /// Rays that left the scene, then by type of material.
+    std::array<PathList, 1 + kTypes> lists;
+    BatchArray<float> filterWeight;  ///< by slot, as is the next
     BatchArray<std::optional<VisibleSurface>> seen;
 };
 

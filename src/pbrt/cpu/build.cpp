@@ -79,8 +79,7 @@ void BuildLights(const Description &scene, const std::string &lightSampler,
     const Transform &renderFromWorld = world.camera.RenderFromWorld();
     for (const LightEntity &entity : scene.lights) {
         ParamDict params = Params(entity, "light", entity.type, scene, log);
-        if (auto light =
-                CreateLight(entity.type, params, renderFromWorld * entity.worldFromLight))
+        if (auto light = CreateLight(entity.type, params, renderFromWorld * entity.worldFromLight))
             world.lights.push_back(std::move(*light));
     }
     for (const EmissiveShape &emitter : emitters) {
@@ -126,8 +125,7 @@ std::unique_ptr<World> BuildWorld(const Description &scene, const Overrides &ove
     ReadAccelerator(scene, log);
 
     const NamedTextures textures = BuildTextures(scene, world->camera.RenderFromWorld(), log);
-    world->filtersTextures =
-        textures.readFootprints && !scene.options.disableTextureFiltering;
+    world->filtersTextures = textures.readFootprints && !scene.options.disableTextureFiltering;
     MaterialTable materials = BuildMaterials(scene, textures, *world, log);
     const std::vector<EmissiveShape> emitters =
         BuildShapes(scene, textures, materials, *world, log);

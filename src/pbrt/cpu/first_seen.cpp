@@ -18,7 +18,8 @@ std::optional<VisibleSurface> FirstSeen(const World &world, const Ray &ray,
             const Vector3f wo = FrameFor(material, sp, ctx).ToLocal(-ray.d);
             return AlbedoOf(material.GetBxDF(ctx, lambda), wo);
         },
-        world.MaterialMet(world.geometries[hit.geometry].material, sp, ray.d));
+        world.materials[size_t(
+            world.MaterialMet(world.geometries[hit.geometry].material, sp, ray.d))]);
     return seen;
 }
 

@@ -19,42 +19,27 @@ struct Batch {
 struct PathBatch {
     PathQueue queues[2], *queue = &queues[0], *next = &queues[1];
     ShadowQueue shadows;
-    std::array<HitPacket, kBatchSize / kWide> hits;  ///< of the queue
+    // By place in the queue: what the ray meets.
+    BatchArray<float> t{}, u{}, v{};
+    BatchArray<uint32_t> geometry{}, primitive{}, instance{}, material{};
     // By slot: a path's number in the batch, pixel by pixel.
     BatchArray<uint32_t> pixel{}, sample{};  ///< the pixel's place in Batch::pixels
-    BatchArray<SampledSpectrum> L;
-    BatchArray<SampledWavelengths> lambda;
+    BatchArray<SampledSpectrum> L{};
+    BatchArray<SampledWavelengths> lambda{};
 
-    Hit HitOf(int at) const {
-        const HitPacket &h = hits[size_t(at / kWide)];
-        const int i = at % kWide;
-        return {h.t[i], h.u[i], h.v[i], h.geometry[i], h.primitive[i], h.instance[i]};
+    void SetHits(int first, const HitPacket &hits) {
+        const size_t at = size_t(first);
+        StoreWide(hits.t, &t[at]);
+        StoreWide(hits.u, &u[at]);
+        StoreWide(hits.v, &v[at]);
+        StoreWide(hits.geometry, &geometry[at]);
+        StoreWide(hits.primitive, &primitive[at]);
+        StoreWide(hits.instance, &instance[at]);
     }
-    HitPacket HitsAt(WideUint at) const {
-        HitPacket packet;
-        for (int i = 0; i < kWide; ++i) {
-            const HitPacket &h = hits[at[i] / kWide];
-            const uint32_t k = at[i] % kWide;
-            packet.t[i] = h.t[k], packet.u[i] = h.u[k], packet.v[i] = h.v[k];
-            packet.geometry[i] = h.geometry[k], packet.primitive[i] = h.primitive[k];
-            packet.instance[i] = h.instance[k];
-        }
-        return packet;
+    HitPacket HitsAt(const WideUint &at) const {
+        return {Gather(&t[0], at),        Gather(&u[0], at),         Gather(&v[0], at),
+                Gather(&geometry[0], at), Gather(&primitive[0], at), Gather(&instance[0], at)};
     }
-};
-
-/// The random numbers of one vertex of sixteen paths, made when asked for.
-template <typename SamplerT>
-struct VertexDraws {
-    SamplerT &sampler;
-    int dimension;
-    WideUint pixel, index;  ///< the pixel's place in the batch; which of its samples
-
-    WideFloat Light() { return sampler.Get1D(dimension, pixel, index); }
-    WidePoint2f LightPoint() { return sampler.Get2D(dimension + 1, pixel, index); }
-    WideFloat Lobe() { return sampler.Get1D(dimension + 2, pixel, index); }
-    WidePoint2f Direction() { return sampler.Get2D(dimension + 3, pixel, index); }
-    WideFloat Roulette() { return sampler.Get1D(dimension + 4, pixel, index); }
 };
 
 }  // namespace pbrt

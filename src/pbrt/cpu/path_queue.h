@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-
-#include "pbrt/accel/packet.h"
 #include "pbrt/cpu/path_state.h"
 
 namespace pbrt {
@@ -15,6 +12,25 @@ inline constexpr int kBatchSize = 1024;
 template <typename T>
 using BatchArray = std::array<T, kBatchSize + kWide>;
 
+/// Points or vectors of a queue, readable and appendable sixteen at a time.
+struct BatchVectors {
+    BatchArray<float> x{}, y{}, z{};
+
+    WideVector3f Load(int first) const {
+        const size_t at = size_t(first);
+        return {LoadWide(&x[at]), LoadWide(&y[at]), LoadWide(&z[at])};
+    }
+    WideVector3f At(const WideUint &at) const {
+        return {Gather(&x[0], at), Gather(&y[0], at), Gather(&z[0], at)};
+    }
+    void Put(int end, const WideVector3f &v, LaneBits lanes) {
+        const size_t at = size_t(end);
+        StoreLanes(&x[at], v.x, lanes);
+        StoreLanes(&y[at], v.y, lanes);
+        StoreLanes(&z[at], v.z, lanes);
+    }
+};
+
 /// The paths of a batch that go on: their next rays and what they carry, one array per quantity.
 /// What a path keeps from its start to its end is found by its slot instead.
 class PathQueue {
@@ -22,95 +38,50 @@ class PathQueue {
     int Size() const { return size; }
     void Clear() { size = 0; }
 
-    void Add(uint32_t pathSlot, const PathState &path) {
-        const int at = size++;
-        slot[at] = pathSlot;
-        Put(&o, at, path.ray.o);
-        Put(&d, at, path.ray.d);
-        time[at] = path.ray.time;
-        beta[at] = path.beta;
-        Put(&p, at, path.previous.p);
-        Put(&n, at, path.previous.n);
-        Put(&ns, at, path.previous.ns);
-        bsdfPDF[at] = path.bsdfPDF;
-        etaScale[at] = path.etaScale;
-        depth[at] = uint32_t(path.depth);
-        anyNonSpecular[at] = path.anyNonSpecular;
+    void Add(const PathLanes &paths, LaneBits lanes) {
+        const size_t end = size_t(size);
+        StoreLanes(&slot[end], paths.slot, lanes);
+        o.Put(size, paths.o, lanes);
+        d.Put(size, paths.d, lanes);
+        StoreLanes(&time[end], paths.time, lanes);
+        p.Put(size, paths.p, lanes);
+        n.Put(size, paths.n, lanes);
+        ns.Put(size, paths.ns, lanes);
+        StoreLanes(&bsdfPDF[end], paths.bsdfPDF, lanes);
+        StoreLanes(&etaScale[end], paths.etaScale, lanes);
+        StoreLanes(&depth[end], paths.depth, lanes);
+        StoreLanes(&anyNonSpecular[end], paths.anyNonSpecular, lanes);
+        ForEachLane(lanes, [&](int i) { beta[size_t(size++)] = paths.beta[size_t(i)]; });
     }
-    /// Sixteen paths side by side.
-    struct Lanes {
-        WideUint slot;
-        WidePoint3f o;
-        WideVector3f d;
-        WideFloat time;
-        WidePoint3f p;  ///< of PathState::previous
-        WideNormal3f n, ns;
-        WideFloat bsdfPDF, etaScale;
-        WideUint depth, anyNonSpecular;
-        const SampledSpectrum *beta;  ///< one a lane
-    };
-    void Add(const Lanes &paths, LaneBits lanes) {
-        StoreLanes(&slot[size_t(size)], paths.slot, lanes);
-        Put(&o, paths.o, lanes);
-        Put(&d, paths.d, lanes);
-        StoreLanes(&time[size_t(size)], paths.time, lanes);
-        Put(&p, paths.p, lanes);
-        Put(&n, paths.n, lanes);
-        Put(&ns, paths.ns, lanes);
-        StoreLanes(&bsdfPDF[size_t(size)], paths.bsdfPDF, lanes);
-        StoreLanes(&etaScale[size_t(size)], paths.etaScale, lanes);
-        StoreLanes(&depth[size_t(size)], paths.depth, lanes);
-        StoreLanes(&anyNonSpecular[size_t(size)], paths.anyNonSpecular, lanes);
-        ForEachLane(lanes, [&](int i) { beta[size_t(size++)] = paths.beta[i]; });
+    WideUint SlotsAt(const WideUint &at) const { return Gather(&slot[0], at); }
+    PathLanes At(const WideUint &at) const {
+        PathLanes paths{Gather(&slot[0], at),
+                        o.At(at),
+                        d.At(at),
+                        Gather(&time[0], at),
+                        p.At(at),
+                        n.At(at),
+                        ns.At(at),
+                        Gather(&bsdfPDF[0], at),
+                        Gather(&etaScale[0], at),
+                        Gather(&depth[0], at),
+                        Gather(&anyNonSpecular[0], at),
+                        {}};
+        for (int i = 0; i < kWide; ++i)
+            paths.beta[size_t(i)] = beta[at[i]];
+        return paths;
     }
-    PathState At(int at) const {
-        PathState path;
-        path.ray = {Get(o, at), Get(d, at), Infinity, time[at]};
-        path.beta = beta[at];
-        path.previous = {Get(p, at), Get(n, at), Get(ns, at)};
-        path.bsdfPDF = bsdfPDF[at];
-        path.etaScale = etaScale[at];
-        path.depth = int(depth[at]);
-        path.anyNonSpecular = anyNonSpecular[at] != 0;
-        return path;
-    }
-    /// The rays of sixteen successive paths; those beyond Size() are anything finite.
+    /// The rays of sixteen successive paths; those beyond Size() are anything.
     RayPacket Rays(int first) const {
-        return {Load(o, first), Load(d, first), Broadcast16(Infinity), LoadWide(&time[first])};
+        return {o.Load(first), d.Load(first), Broadcast16(Infinity),
+                LoadWide(&time[size_t(first)])};
     }
-
-    /// The rays at sixteen places.
-    RayPacket RaysAt(WideUint at) const {
-        return {GatherAt(o, at), GatherAt(d, at), Broadcast16(Infinity), Gather(&time[0], at)};
-    }
-
-    struct Vectors {
-        BatchArray<float> x{}, y{}, z{};
-    };
-    BatchArray<uint32_t> slot{}, depth{}, anyNonSpecular{};
-    Vectors o, d;
-    Vectors p, n, ns;  ///< of PathState::previous
-    BatchArray<float> time{}, bsdfPDF{}, etaScale{};
-    BatchArray<SampledSpectrum> beta{};
 
   private:
-    static void Put(Vectors *to, int at, Vector3f v) {
-        to->x[at] = v.x, to->y[at] = v.y, to->z[at] = v.z;
-    }
-    static Vector3f Get(const Vectors &from, int at) {
-        return {from.x[at], from.y[at], from.z[at]};
-    }
-    static WideVector3f Load(const Vectors &from, int at) {
-        return {LoadWide(&from.x[at]), LoadWide(&from.y[at]), LoadWide(&from.z[at])};
-    }
-    void Put(Vectors *to, const WideVector3f &v, LaneBits lanes) {
-        StoreLanes(&to->x[size_t(size)], v.x, lanes);
-        StoreLanes(&to->y[size_t(size)], v.y, lanes);
-        StoreLanes(&to->z[size_t(size)], v.z, lanes);
-    }
-    static WideVector3f GatherAt(const Vectors &from, WideUint at) {
-        return {Gather(&from.x[0], at), Gather(&from.y[0], at), Gather(&from.z[0], at)};
-    }
+    BatchArray<uint32_t> slot{}, depth{}, anyNonSpecular{};
+    BatchVectors o, d, p, n, ns;
+    BatchArray<float> time{}, bsdfPDF{}, etaScale{};
+    BatchArray<SampledSpectrum> beta{};
     int size = 0;
 };
 
@@ -119,40 +90,30 @@ class ShadowQueue {
   public:
     int Size() const { return size; }
     void Clear() { size = 0; }
-    void Add(uint32_t pathSlot, float rayTime, const ShadowTest &test) {
-        const int at = size++;
-        const Vector3f way = test.to - test.from;
-        slot[at] = pathSlot;
-        ox[at] = test.from.x, oy[at] = test.from.y, oz[at] = test.from.z;
-        dx[at] = way.x, dy[at] = way.y, dz[at] = way.z;
-        time[at] = rayTime;
-        light[at] = test.light;
-    }
-    /// `gain`: one a lane.
+    /// Rays towards points on lights; `gains`, one a lane: what the paths in `slots` gain unless
+    /// something stands between.
     void Add(const WideUint &slots, const WideFloat &times, const WidePoint3f &from,
-             const WidePoint3f &to, const SampledSpectrum *gain, LaneBits lanes) {
-        const WideVector3f way = to - from;
-        const size_t at = size_t(size);
-        StoreLanes(&slot[at], slots, lanes);
-        StoreLanes(&ox[at], from.x, lanes), StoreLanes(&oy[at], from.y, lanes);
-        StoreLanes(&oz[at], from.z, lanes), StoreLanes(&dx[at], way.x, lanes);
-        StoreLanes(&dy[at], way.y, lanes), StoreLanes(&dz[at], way.z, lanes);
-        StoreLanes(&time[at], times, lanes);
-        ForEachLane(lanes, [&](int i) { light[size_t(size++)] = gain[i]; });
+             const WidePoint3f &to, const std::array<SampledSpectrum, kWide> &gains,
+             LaneBits lanes) {
+        StoreLanes(&slot[size_t(size)], slots, lanes);
+        StoreLanes(&time[size_t(size)], times, lanes);
+        o.Put(size, from, lanes);
+        d.Put(size, to - from, lanes);
+        ForEachLane(lanes, [&](int i) { gain[size_t(size++)] = gains[size_t(i)]; });
     }
     /// As far as just before the light.
     RayPacket Rays(int first) const {
-        return {{LoadWide(&ox[first]), LoadWide(&oy[first]), LoadWide(&oz[first])},
-                {LoadWide(&dx[first]), LoadWide(&dy[first]), LoadWide(&dz[first])},
-                Broadcast16(1 - 1e-4f),
-                LoadWide(&time[first])};
+        return {o.Load(first), d.Load(first), Broadcast16(1 - 1e-4f),
+                LoadWide(&time[size_t(first)])};
     }
-
-    BatchArray<uint32_t> slot{};
-    BatchArray<SampledSpectrum> light{};
+    uint32_t Slot(int at) const { return slot[size_t(at)]; }
+    SampledSpectrum Gain(int at) const { return gain[size_t(at)]; }
 
   private:
-    BatchArray<float> ox{}, oy{}, oz{}, dx{}, dy{}, dz{}, time{};
+    BatchArray<uint32_t> slot{};
+    BatchArray<SampledSpectrum> gain{};
+    BatchVectors o, d;
+    BatchArray<float> time{};
     int size = 0;
 };
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+
+#include "pbrt/accel/packet.h"
 #include "pbrt/lights/light.h"
 
 namespace pbrt {
@@ -12,31 +15,52 @@ struct RayCounts {
     }
 };
 
-/// What a path takes from one vertex to the next.
+/// What a path takes from one vertex to the next, and what finding light must know of it.
 struct PathState {
     Ray ray;
     SampledSpectrum beta;
     LightSampleContext previous;  ///< the vertex that ray.d was drawn at
-    float bsdfPDF = 0;            ///< of ray.d there; 0: from the camera or a delta lobe
-    float etaScale = 1;
-    int depth = 0;
-    bool anyNonSpecular = false;
+    float bsdfPDF;                ///< of ray.d there; 0: from the camera or a delta lobe
 };
 
-/// The random numbers of one vertex, in the order of their dimensions.
+/// Sixteen paths side by side.
+struct PathLanes {
+    WideUint slot;  ///< a path's number in its batch
+    WidePoint3f o;
+    WideVector3f d;
+    WideFloat time;
+    WidePoint3f p;  ///< of PathState::previous, as are the next two
+    WideNormal3f n, ns;
+    WideFloat bsdfPDF, etaScale;
+    WideUint depth, anyNonSpecular;
+    std::array<SampledSpectrum, kWide> beta;
+
+    PathState At(int i) const {
+        return {{Lane(o, i), Lane(d, i), Infinity, time[i]},
+                beta[size_t(i)],
+                {Lane(p, i), Lane(n, i), Lane(ns, i)},
+                bsdfPDF[i]};
+    }
+};
+
+/// The random numbers of one vertex of sixteen paths, in the order of their dimensions.
 struct VertexNumbers {
     static constexpr int kDimensions = 5;
-    float light;        ///< which light
-    Point2f lightPoint;
-    float lobe;         ///< which lobe of the BSDF
-    Point2f direction;
-    float roulette;
-};
+    WideFloat light;  ///< which light
+    WidePoint2f lightPoint;
+    WideFloat lobe;  ///< which lobe of the BSDF
+    WidePoint2f direction;
+    WideFloat roulette;
 
-/// Light that arrives unless something stands between.
-struct ShadowTest {
-    Point3f from, to;
-    SampledSpectrum light;  ///< what the path gains; 0: nothing to test
+    template <typename SamplerT>
+    static VertexNumbers Draw(SamplerT &sampler, int dimension, const WideUint &pixel,
+                              const WideUint &sample) {
+        return {sampler.Get1D(dimension, pixel, sample),
+                sampler.Get2D(dimension + 1, pixel, sample),
+                sampler.Get1D(dimension + 2, pixel, sample),
+                sampler.Get2D(dimension + 3, pixel, sample),
+                sampler.Get1D(dimension + 4, pixel, sample)};
+    }
 };
 
 }  // namespace pbrt

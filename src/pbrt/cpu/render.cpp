@@ -33,9 +33,8 @@ void RenderTiles(World &world, const SamplerT &sampler, Shared &shared,
     tbb::parallel_for(
         tbb::blocked_range2d<int>(b.y0, b.y1, kTileSize, b.x0, b.x1, kTileSize),
         [&](const tbb::blocked_range2d<int> &tile) {
-            const std::vector<Point2i> pixels =
-                PixelsAlongCurve({tile.cols().begin(), tile.cols().end(), tile.rows().begin(),
-                                  tile.rows().end()});
+            const std::vector<Point2i> pixels = PixelsAlongCurve(
+                {tile.cols().begin(), tile.cols().end(), tile.rows().begin(), tile.rows().end()});
             RayCounts rays;
             RenderPixels(world, pixels, sampler.SamplesPerPixel(), *tracers.local(), rays,
                          keepGoing);

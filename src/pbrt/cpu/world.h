@@ -50,8 +50,8 @@ struct World {
     bool moves = false;            ///< time matters
 
     /// Index of the light that a hit on an emissive geometry belongs to.
-    static int LightOf(const Geometry &geometry, const Hit &hit) {
-        return geometry.firstLight + (geometry.oneLight ? 0 : int(hit.primitive));
+    static int LightOf(const Geometry &geometry, uint32_t primitive) {
+        return geometry.firstLight + (geometry.oneLight ? 0 : int(primitive));
     }
     /// The hit's surface in rendering space.
     SurfacePoint Interact(const Hit &hit, const Ray &ray) const;
@@ -63,10 +63,10 @@ struct World {
         return id >= kFirstMix ? &mixes[id - kFirstMix] : nullptr;
     }
     /// The material that a ray of direction d meets, where `id` is a mix.
-    const Material &MaterialMet(MaterialId id, const SurfacePoint &sp, Vector3f d) const {
-        while (const MixMaterial *mix = AsMix(id)) [[unlikely]]
-            id = mix->Choose(TextureContext(sp), d, id);
-        return materials[id];
+    MaterialId MaterialMet(MaterialId id, const SurfacePoint &sp, Vector3f d) const {
+        while (const MixMaterial *mix = AsMix(id))
+            [[unlikely]] id = mix->Choose(TextureContext(sp), d, id);
+        return id;
     }
     /// Geometries below this stand in the scene as they are; the others only in instances.
     uint32_t TopLevelGeometries() const;
