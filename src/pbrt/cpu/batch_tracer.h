@@ -111,13 +111,13 @@ class BatchTracer {
             list.at[size_t(list.size++)] = uint32_t(first + i);
         }
     }
-    /// Type of the material that the path at this place meets.
+    /// Which list the path at this place belongs to.
     size_t KindMet(int at, const Hit &hit, const Ray &ray) {
         MaterialId id = world.geometries[hit.geometry].material;
         if (world.AsMix(id)) [[unlikely]]
             id = world.MaterialMet(id, world.Interact(hit, ray), ray.d);
         paths.material[size_t(at)] = uint32_t(id);
-        return 1 + world.materials[size_t(id)].index();
+        return 1 + 2 * world.materials[size_t(id)].index() + world.plain[size_t(id)];
     }
 
     /// Paths at the given places of the queue, all of one kind.
@@ -129,14 +129,23 @@ class BatchTracer {
         const WideUint slot = paths.queue->SlotsAt(at);
         const auto numbers = VertexNumbers::Draw(sampler, dimension, Gather(&paths.pixel[0], slot),
                                                  Gather(&paths.sample[0], slot));
-        [&]<size_t... K>(std::index_sequence<K...>) {
-            (void)((kind == K + 1 && (Vertices<std::variant_alternative_t<K, Material>, Scattering>(
-                                          world, paths, numbers)
-                                          .Meet(at, count),
-                                      true)) ||
-                   ...);
-        }
-        (std::make_index_sequence<kTypes>());
+        ForType(kind - 1, [&]<typename M, bool kPlain>() {
+            Vertices<M, kPlain, Scattering>(world, paths, numbers).Meet(at, count);
+        });
+    }
+    /// Calls f<M, kPlain>() for the kind 2 * index of M in Material + kPlain.
+    template <typename F, size_t... K>
+    static void ForType(size_t kind, const F &f, std::index_sequence<K...>) {
+        const auto call = [&]<size_t k>() {
+            using M = std::variant_alternative_t<k / 2, Material>;
+            if constexpr (k % 2 == 0 || requires(const M &m) { m.IsPlain(); })
+                f.template operator()<M, k % 2 == 1>();
+        };
+        (void)((kind == K && (call.template operator()<K>(), true)) || ...);
+    }
+    template <typename F>
+    static void ForType(size_t kind, const F &f) {
+        ForType(kind, f, std::make_index_sequence<2 * kTypes>());
     }
     void LeaveScene(const WideUint &at, int count) {
         if (world.infiniteLights.empty()) return;
@@ -191,8 +200,8 @@ class BatchTracer {
         BatchArray<uint32_t> at;
         int size = 0;
     };
-    /// Rays that left the scene, then by type of material.
-    std::array<PathList, 1 + kTypes> lists;
+    /// Rays that left the scene, then by type of material, those that are not plain first.
+    std::array<PathList, 1 + 2 * kTypes> lists;
     BatchArray<float> filterWeight;  ///< by slot, as is the next
     BatchArray<std::optional<VisibleSurface>> seen;
 };

@@ -127,6 +127,8 @@ std::unique_ptr<World> BuildWorld(const Description &scene, const Overrides &ove
     const NamedTextures textures = BuildTextures(scene, world->camera.RenderFromWorld(), log);
     world->filtersTextures = textures.readFootprints && !scene.options.disableTextureFiltering;
     MaterialTable materials = BuildMaterials(scene, textures, *world, log);
+    for (const Material &m : world->materials)
+        world->plain.push_back(IsPlain(m));
     const std::vector<EmissiveShape> emitters =
         BuildShapes(scene, textures, materials, *world, log);
     if (log.HasErrors()) return nullptr;

@@ -52,14 +52,20 @@ struct VertexNumbers {
     WidePoint2f direction;
     WideFloat roulette;
 
+    /// Those that nobody reads are left out: `wanted`.
+    struct Wanted {
+        bool light, lobe;
+    };
     template <typename SamplerT>
     static VertexNumbers Draw(SamplerT &sampler, int dimension, const WideUint &pixel,
-                              const WideUint &sample) {
-        return {sampler.Get1D(dimension, pixel, sample),
-                sampler.Get2D(dimension + 1, pixel, sample),
-                sampler.Get1D(dimension + 2, pixel, sample),
-                sampler.Get2D(dimension + 3, pixel, sample),
-                sampler.Get1D(dimension + 4, pixel, sample)};
+                              const WideUint &sample, Wanted wanted) {
+        VertexNumbers n{};
+        if (wanted.light) n.light = sampler.Get1D(dimension, pixel, sample);
+        n.lightPoint = sampler.Get2D(dimension + 1, pixel, sample);
+        if (wanted.lobe) n.lobe = sampler.Get1D(dimension + 2, pixel, sample);
+        n.direction = sampler.Get2D(dimension + 3, pixel, sample);
+        n.roulette = sampler.Get1D(dimension + 4, pixel, sample);
+        return n;
     }
 };
 

@@ -4,7 +4,6 @@
 #include "pbrt/cpu/emission.h"
 #include "pbrt/cpu/path_batch.h"
 #include "pbrt/cpu/shading_frame.h"
-#include "pbrt/cpu/wide_frame.h"
 
 namespace pbrt {
 
@@ -26,7 +25,9 @@ struct BSDFAsItIs {
 ///
 /// Geometry is sixteen wide; spectra, four wide already, and BSDFs go path by path, as does what
 /// few of the paths need.
-template <typename M, typename Scattering = BSDFAsItIs>
+///
+/// kPlain: of plain materials only.
+template <typename M, bool kPlain, typename Scattering = BSDFAsItIs>
 class Vertices {
   public:
     Vertices(const World &world, PathBatch &batch, const VertexNumbers &numbers)
@@ -68,7 +69,7 @@ class Vertices {
     void Interact() {
         hits = batch.HitsAt(at);
         const RayPacket rays{path.o, path.d, Broadcast16(Infinity), path.time};
-        ForEachLane(lanes, [&](int i) { SetLane(&sp, i, world.Interact(hits.At(i), rays.At(i))); });
+        sp = world.Interact<!kPlain>(hits, rays, lanes);
     }
 
     void AddEmissions() {
@@ -83,14 +84,16 @@ class Vertices {
     static bool ReceivesFromAllSides(BxDFFlags flags) {
         return IsReflective(flags) && IsTransmissive(flags);
     }
-    TextureEvalContext ContextAt(int i) const { return world.TextureContext(Lane(sp, i)); }
+    TextureEvalContext ContextAt(int i) const {
+        return kPlain ? TextureEvalContext() : world.TextureContext(Lane(sp, i));
+    }
 
     void SetFrames() {
-        if constexpr (kIsotropic) {
+        if constexpr (kPlain || kIsotropic) {
             frame = WideFrame::FromZ(sp.ns);
         } else {
             ForEachLane(lanes, [&](int i) {
-                frame.Set(i, FrameFor(MaterialAt(i), Lane(sp, i), ContextAt(i)));
+                SetLane(&frame, i, FrameFor(MaterialAt(i), Lane(sp, i), ContextAt(i)));
             });
         }
     }
@@ -162,7 +165,13 @@ class Vertices {
         });
         std::array<const SampledWavelengths *, kWide> lambda{};
         ForEachLane(receivers, [&](int i) { lambda[size_t(i)] = &batch.lambda[Slot(i)]; });
-        SampleLi(lights, ctx, numbers.lightPoint, lambda, receivers, samples);
+        ForEachLane(receivers, [&](int i) {
+            const Light *const light = lights[size_t(i)];
+            if (!light) return;
+            if (const auto s =
+                    SampleLi(*light, ctx.At(i), Lane(numbers.lightPoint, i), *lambda[size_t(i)]))
+                samples->Set(i, *s);
+        });
         return pmf;
     }
 
@@ -181,8 +190,7 @@ class Vertices {
         LaneBits gone = 0, straight = 0;
         ForEachLane(lanes, [&](int i) {
             const auto s = bsdfs[size_t(i)]->Sample_f(
-                Lane(wo, i), numbers.lobe[i], {numbers.direction.x[i], numbers.direction.y[i]},
-                TransportMode::Radiance);
+                Lane(wo, i), numbers.lobe[i], Lane(numbers.direction, i), TransportMode::Radiance);
             const LaneBits bit = LaneBits(1) << i;
             if (!s || s->pdf == 0 || s->wi.z == 0 || !s->f) {
                 gone |= bit;

@@ -1,6 +1,7 @@
 #include "pbrt/cpu/world.h"
 
 #include "pbrt/shapes/instanced.h"
+#include "pbrt/shapes/interact_packet.h"
 
 namespace pbrt {
 namespace {
@@ -40,6 +41,21 @@ SurfacePoint InteractIn(const World &world, const Hit &hit, const Ray &ray) {
 SurfacePoint World::Interact(const Hit &hit, const Ray &ray) const {
     return InteractIn<true>(*this, hit, ray);
 }
+
+template <bool kWithTangents>
+SurfacePoints World::Interact(const HitPacket &hits, const RayPacket &rays, LaneBits lanes) const {
+    PacketHits met{{}, hits, rays.o, rays.d};
+    LaneBits placed = 0;
+    ForEachLane(lanes, [&](int i) {
+        met.shape[size_t(i)] = &geometries[hits.geometry[i]].shape;
+        placed |= LaneBits(hits.instance[i] != ~0u) << i;
+    });
+    SurfacePoints s = InteractPacket<kWithTangents>(met, lanes & ~placed);
+    ForEachLane(placed, [&](int i) { SetLane(&s, i, Interact(hits.At(i), rays.At(i))); });
+    return s;
+}
+template SurfacePoints World::Interact<true>(const HitPacket &, const RayPacket &, LaneBits) const;
+template SurfacePoints World::Interact<false>(const HitPacket &, const RayPacket &, LaneBits) const;
 
 SurfacePoint World::InteractLightly(const Hit &hit, const Ray &ray) const {
     return InteractIn<false>(*this, hit, ray);

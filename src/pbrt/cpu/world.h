@@ -48,6 +48,7 @@ struct World {
     Options options;
     bool filtersTextures = false;  ///< some texture reads the steps per pixel
     bool moves = false;            ///< time matters
+    std::vector<bool> plain;       ///< by material: see IsPlain
 
     /// Index of the light that a hit on an emissive geometry belongs to.
     static int LightOf(const Geometry &geometry, uint32_t primitive) {
@@ -55,6 +56,10 @@ struct World {
     }
     /// The hit's surface in rendering space.
     SurfacePoint Interact(const Hit &hit, const Ray &ray) const;
+    /// Interact for the given lanes; the others are undefined. kWithTangents: with derivatives, uv
+    /// and faceIndex.
+    template <bool kWithTangents>
+    SurfacePoints Interact(const HitPacket &hits, const RayPacket &rays, LaneBits lanes) const;
     /// Point and frames only; see pbrt::InteractLightly.
     SurfacePoint InteractLightly(const Hit &hit, const Ray &ray) const;
     TextureEvalContext TextureContext(const SurfacePoint &sp) const;

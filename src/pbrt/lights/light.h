@@ -1,9 +1,10 @@
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "pbrt/spectra/spectrum.h"
-#include "pbrt/util/vecmath.h"
+#include "pbrt/util/wide.h"
 
 namespace pbrt {
 
@@ -13,6 +14,19 @@ struct LightSampleContext {
     Normal3f n, ns;
 };
 
+/// Sixteen receivers.
+struct WideLightSampleContext {
+    WidePoint3f p;
+    WideNormal3f n, ns;
+
+    LightSampleContext At(int i) const { return {Lane(p, i), Lane(n, i), Lane(ns, i)}; }
+    /// Takes light from all sides.
+    void ForgetSide(int i) {
+        SetLane(&n, i, {});
+        SetLane(&ns, i, {});
+    }
+};
+
 /// Light from one sampled direction.
 struct LightLiSample {
     SampledSpectrum L;
@@ -20,6 +34,24 @@ struct LightLiSample {
     float pdf;       ///< per unit solid angle; 1 for delta lights
     Point3f pLight;  ///< end of the shadow ray (already moved off the light's surface)
     bool delta;      ///< point, spot, distant: no BSDF sample can find it
+};
+
+/// Sixteen of LightLiSample.
+struct LightLiSamples {
+    std::array<SampledSpectrum, kWide> L;
+    WideVector3f wi{};
+    WideFloat pdf{};
+    WidePoint3f pLight{};
+    LaneBits valid = 0, delta = 0;
+
+    void Set(int i, const LightLiSample &s) {
+        L[size_t(i)] = s.L;
+        SetLane(&wi, i, s.wi);
+        pdf[i] = s.pdf;
+        SetLane(&pLight, i, s.pLight);
+        valid |= LaneBits(1) << i;
+        delta |= LaneBits(s.delta) << i;
+    }
 };
 
 // Each light type is a struct in its own file with these members:

@@ -26,6 +26,10 @@ class LightSampler {
     /// referred to afterwards.
     static LightSampler Create(std::string_view name, std::span<const Light> lights);
 
+    /// The one light there is to choose, whatever u: no number need be drawn.
+    std::optional<int> OnlyLight() const {
+        return kind == Kind::Single ? std::optional(single) : std::nullopt;
+    }
     /// nullopt where there is nothing to choose or nothing chosen could arrive. u in [0, 1).
     std::optional<SampledLight> Sample(const LightSampleContext &ctx, float u) const {
         switch (kind) {

@@ -18,6 +18,7 @@ struct CoatedDiffuseMaterial {
     std::shared_ptr<const Coat> coat;
 
     static CoatedDiffuseMaterial Create(ParamDict &params, const NamedTextures &named);
+    bool IsPlain() const { return reflectance.IsConstant() && roughness.IsPlain(); }
     CoatedDiffuseBxDF GetBxDF(const TextureEvalContext &ctx,
                               const SampledWavelengths &lambda) const {
         const Vector2f alpha = roughness.Alpha(ctx);

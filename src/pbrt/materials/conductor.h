@@ -14,6 +14,10 @@ struct ConductorMaterial {
     Roughness roughness;
 
     static ConductorMaterial Create(ParamDict &params, const NamedTextures &named);
+    bool IsPlain() const {
+        return eta.IsConstant() && k.IsConstant() && roughness.IsPlain() &&
+               (!reflectance || reflectance->IsConstant());
+    }
     ConductorBxDF GetBxDF(const TextureEvalContext &ctx, SampledWavelengths &lambda) const {
         const Vector2f alpha = roughness.Alpha(ctx);
         if (!reflectance)

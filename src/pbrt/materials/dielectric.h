@@ -13,6 +13,7 @@ struct DielectricMaterial {
     Roughness roughness;
 
     static DielectricMaterial Create(ParamDict &params, const NamedTextures &named);
+    bool IsPlain() const { return roughness.IsPlain(); }
     DielectricBxDF GetBxDF(const TextureEvalContext &ctx, SampledWavelengths &lambda) const {
         if (!eta.IsConstant()) lambda.TerminateSecondary();
         const Vector2f alpha = roughness.Alpha(ctx);

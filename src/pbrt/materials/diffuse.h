@@ -15,6 +15,7 @@ struct DiffuseMaterial {
         return {GetSpectrumTexture(params, named, "reflectance", Spectrum(0.5f),
                                    SpectrumType::Albedo)};
     }
+    bool IsPlain() const { return reflectance.IsConstant(); }
     DiffuseBxDF GetBxDF(const TextureEvalContext &ctx, SampledWavelengths &lambda) const {
         return DiffuseBxDF(reflectance.Evaluate(ctx, lambda));
     }

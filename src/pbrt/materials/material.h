@@ -26,9 +26,24 @@ using Material = MaterialTypes::Variant;
 
 /// Surfaces that let shadow rays through declare kPassesLight.
 template <typename M>
-inline constexpr bool PassesLight = requires { M::kPassesLight; };
+inline constexpr bool PassesLight = requires {
+    M::kPassesLight;
+};
 inline bool LetsLightThrough(const Material &material) {
     return std::visit([]<typename M>(const M &) { return PassesLight<M>; }, material);
+}
+
+/// Whether the material looks the same at every point and from every side, so that it needs
+/// neither tangents nor uv. Types that can be so have a member of that name.
+inline bool IsPlain(const Material &material) {
+    return std::visit(
+        [](const auto &m) {
+            if constexpr (requires { m.IsPlain(); })
+                return m.IsPlain();
+            else
+                return false;
+        },
+        material);
 }
 
 /// What a material noticed while rendering, as a sentence; else empty.

@@ -15,6 +15,10 @@ struct Roughness {
         const float a = u.Evaluate(ctx), b = v.Evaluate(ctx);
         return remap ? Vector2f{std::sqrt(a), std::sqrt(b)} : Vector2f{a, b};
     }
+    /// The same everywhere and in every direction.
+    bool IsPlain() const {
+        return u.IsConstant() && v.IsConstant() && u.Constant() == v.Constant();
+    }
     /// See Remarks of materials.
     std::string Remarks(std::string_view owner) const;
 };

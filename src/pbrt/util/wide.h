@@ -328,6 +328,11 @@ inline Point2f Lane(const Vec2<WideFloat> &v, int i) {
 inline void SetLane(Vec3<WideFloat> *v, int i, Vector3f value) {
     v->x[i] = value.x, v->y[i] = value.y, v->z[i] = value.z;
 }
+inline void SetLane(WideFrame *frame, int i, const Frame &value) {
+    SetLane(&frame->x, i, value.x);
+    SetLane(&frame->y, i, value.y);
+    SetLane(&frame->z, i, value.z);
+}
 inline void SetLane(Vec2<WideFloat> *v, int i, Point2f value) {
     v->x[i] = value.x, v->y[i] = value.y;
 }
