@@ -102,7 +102,7 @@ void Compare(const World &world, int rounds) {
 void Report(const Stopwatch &watch, const RayKind &kind, const char *query) {
     const std::string name = fmt::format("{} {}", kind.name, query);
     const double single = watch.Nanoseconds(name), packet = watch.Nanoseconds(name + " 16");
-    std::printf("%-22s %7.1f ns single  %7.1f ns in packets  %5.2f x  (%zu rays)\n", name.c_str(),
+    std::printf("%-27s %7.1f ns single  %7.1f ns in packets  %5.2f x  (%zu rays)\n", name.c_str(),
                 single, packet, single / packet, kind.rays.size());
 }
 
@@ -149,11 +149,13 @@ void ComparePackets(const World &world, int rounds) {
     const RayKinds kinds(world);
     Stopwatch watch;
     AddIntersections(&watch, *world.accel, kinds.camera, Coherence::Alike);
-    AddIntersections(&watch, *world.accel, kinds.bounce, Coherence::Scattered);
+    AddIntersections(&watch, *world.accel, kinds.bounce, Coherence::None);
+    AddIntersections(&watch, *world.accel, kinds.byOctant, Coherence::Octant);
     AddOcclusions(&watch, *world.accel, kinds.shadow);
     watch.Run(rounds);
     Report(watch, kinds.camera, "Intersect");
     Report(watch, kinds.bounce, "Intersect");
+    Report(watch, kinds.byOctant, "Intersect");
     Report(watch, kinds.shadow, "Occluded");
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "pbrt/cpu/world.h"
@@ -31,7 +32,7 @@ struct RayKind {
 
 /// What diffuse paths trace in batches of 16 neighbouring pixels by 64 samples, step by step: rays
 /// from the camera, cosine-distributed bounces (up to four), and a shadow ray at each vertex that a
-/// light was drawn for.
+/// light was drawn for. The bounces also sorted by octant.
 class RayKinds {
   public:
     explicit RayKinds(const World &world) : world(world), rng(1) {
@@ -40,7 +41,7 @@ class RayKinds {
             Trace({std::floor(rng.Uniform() * (resolution.x - 4)),
                    std::floor(rng.Uniform() * (resolution.y - 4))});
     }
-    RayKind camera{"camera"}, bounce{"bounce"}, shadow{"shadow"};
+    RayKind camera{"camera"}, bounce{"bounce"}, byOctant{"bounce by octant"}, shadow{"shadow"};
 
   private:
     static constexpr int kBatches = 100, kSamples = 64, kMaxBounces = 4;
@@ -55,12 +56,19 @@ class RayKinds {
             }
         for (int step = 0; step <= kMaxBounces; ++step) {
             (step == 0 ? camera : bounce).Append(rays);
+            if (step > 0) byOctant.Append(SortedByOctant(rays));
             std::vector<Ray> next, shadows;
             for (const Ray &ray : rays)
                 Scatter(ray, &next, &shadows);
             shadow.Append(shadows);
             rays = std::move(next);
         }
+    }
+
+    static std::vector<Ray> SortedByOctant(std::vector<Ray> rays) {
+        std::stable_sort(rays.begin(), rays.end(),
+                         [](const Ray &a, const Ray &b) { return Octant(a.d) < Octant(b.d); });
+        return rays;
     }
 
     void Scatter(const Ray &ray, std::vector<Ray> *next, std::vector<Ray> *shadows) {

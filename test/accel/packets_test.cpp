@@ -132,10 +132,6 @@ HitPacket UntouchedHits() {
     return {f, f, f, u, u, u};
 }
 
-Hit At(const HitPacket &hits, int i) {
-    return {hits.t[i], hits.u[i], hits.v[i], hits.geometry[i], hits.primitive[i], hits.instance[i]};
-}
-
 void ExpectUntouched(const Hit &h) {
     EXPECT_EQ(h.t, kUntouched);
     EXPECT_EQ(h.u, kUntouched);
@@ -164,16 +160,16 @@ Tally CompareHits(const Everything &scene, Rng &rng, int packets) {
         Ray rays[kWide];
         const RayPacket packet = PacketOf(rng, active, rays);
         HitPacket hits = UntouchedHits();
-        const auto coherence = k % 2 == 0 ? Coherence::Scattered : Coherence::Alike;
+        const auto coherence = Coherence(k % 3);
         const LaneBits found = scene.accel->Intersect(packet, active, &hits, coherence);
         EXPECT_EQ(found & ~active, 0u);
         for (int i = 0; i < kWide; ++i) {
-            if (!(found >> i & 1)) ExpectUntouched(At(hits, i));
+            if (!(found >> i & 1)) ExpectUntouched(hits.At(i));
             if (!(active >> i & 1)) continue;
             Hit single;
             const bool hit = scene.accel->Intersect(rays[i], &single);
             tally.hits += hit;
-            tally.differ += hit != (found >> i & 1) || (hit && !IsSame(At(hits, i), single));
+            tally.differ += hit != (found >> i & 1) || (hit && !IsSame(hits.At(i), single));
         }
     }
     return tally;

@@ -28,6 +28,11 @@ const Transform *QuadricTransform(const Shape &shape) {
     return nullptr;
 }
 
+bool IsUserGeometry(const Shape &shape) {
+    if (const auto *patches = std::get_if<BilinearMesh>(&shape)) return !patches->planar;
+    return QuadricTransform(shape);
+}
+
 bool IsInvisible(const Geometry &g) {
     return g.alpha.IsConstant() && g.alpha.Constant() <= 0;
 }
@@ -109,10 +114,18 @@ void Accel::Impl::Build(int nThreads) {
         objectScenes.push_back(NewScene(object.first, object.last, object.last - object.first));
         rtcCommitScene(objectScenes.back());
     }
+    Count(0, nTop);
+    for (const Instance &instance : instances)
+        Count(objects[instance.object].first, objects[instance.object].last);
     scene = NewScene(0, nTop, nTop + uint32_t(instances.size()));
     for (uint32_t i = 0; i < instances.size(); ++i)
         AttachInstance(i);
     rtcCommitScene(scene);
+}
+
+void Accel::Impl::Count(uint32_t first, uint32_t last) {
+    for (uint32_t i = first; i < last; ++i)
+        (IsUserGeometry(geometries[i].shape) ? nUser : nOther) += NPrimitives(geometries[i].shape);
 }
 
 void Accel::Impl::Attach(RTCScene target, RTCGeometry geometry, uint32_t id) {
@@ -129,9 +142,8 @@ RTCGeometry Accel::Impl::NewGeometry(const GeometryRecord &record) {
     } else if (const auto *curves = std::get_if<CurveSet>(&shape)) {
         geometry = NewCurves(device, *curves);
     } else {
-        const auto &patches = *std::get_if<BilinearMesh>(&shape);
-        if (!patches.planar) return NewBentPatches(device, &record);
-        geometry = NewQuads(device, patches);
+        if (IsUserGeometry(shape)) return NewBentPatches(device, &record);
+        geometry = NewQuads(device, *std::get_if<BilinearMesh>(&shape));
     }
     rtcSetGeometryUserData(geometry, const_cast<GeometryRecord *>(&record));
     if (record.hasAlpha) rtcSetGeometryIntersectFilterFunction(geometry, FilterIntersection);

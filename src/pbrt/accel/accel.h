@@ -83,7 +83,7 @@ class Accel {
 
     /// Lanes that hit; of `hits` these alone are written.
     LaneBits Intersect(const RayPacket &rays, LaneBits active, HitPacket *hits,
-                       Coherence coherence = Coherence::Scattered) const;
+                       Coherence coherence = Coherence::None) const;
     /// Lanes where anything opaque stands.
     LaneBits Occluded(const RayPacket &rays, LaneBits active) const;
     void Transmittance(const RayPacket &rays, LaneBits active, const GapTransmittance &gaps,
@@ -96,6 +96,8 @@ class Accel {
     void *EmbreeScene() const;   ///< the RTCScene, for benchmarks of Embree alone
 
   private:
+    LaneBits IntersectSingly(const RayPacket &rays, LaneBits active, HitPacket *hits) const;
+
     struct Impl;
     std::unique_ptr<Impl> impl;
     bool hasGaps = false;

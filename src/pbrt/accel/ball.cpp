@@ -137,59 +137,62 @@ LaneBits ValidLanes(const int *valid) {
     return BitsOf(v);
 }
 
+/// Calls one(lane, t) for each ray that meets the ball, or many(met) for all of a packet.
+template <typename One, typename Many>
+void ForEachThatMeets(const Ball &ball, const int *valid, RTCRayN *rays, unsigned n, One one,
+                      Many many) {
+    const auto tryOne = [&](unsigned i) {
+        double t;
+        if (MeetsRay(ball, rays, n, i, &t)) one(i, float(t));
+    };
+    if (n != kWide) {
+        for (unsigned i = 0; i < n; ++i)
+            if (valid[i] != 0) tryOne(i);
+        return;
+    }
+    const auto &packet = *reinterpret_cast<const RTCRay16 *>(rays);
+    LaneBits lanes = ValidLanes(valid);
+    if (std::has_single_bit(lanes)) return tryOne(unsigned(std::countr_zero(lanes)));
+    lanes &= MayMeet(ball, packet);
+    if (std::popcount(lanes) <= 2) return ForEachLane(lanes, [&](int i) { tryOne(unsigned(i)); });
+    many(MeetPacket(ball, packet, lanes));
+}
+
 }  // namespace
 
 void IntersectBall(const Ball &ball, uint32_t localId, const RTCIntersectFunctionNArguments *args) {
-    const unsigned n = args->N;
+    const unsigned n = args->N, instance = args->context->instID[0];
     RTCRayN *const rays = RTCRayHitN_RayN(args->rayhit, n);
     RTCHitN *const hits = RTCRayHitN_HitN(args->rayhit, n);
-    const auto one = [&](unsigned i) {
-        double t;
-        if (!MeetsRay(ball, rays, n, i, &t)) return;
-        RTCRayN_tfar(rays, n, i) = float(t);
+    const auto one = [&](unsigned i, float t) {
+        RTCRayN_tfar(rays, n, i) = t;
         RTCHitN_u(hits, n, i) = RTCHitN_v(hits, n, i) = 0;
         RTCHitN_primID(hits, n, i) = 0;
         RTCHitN_geomID(hits, n, i) = localId;
-        RTCHitN_instID(hits, n, i, 0) = args->context->instID[0];
+        RTCHitN_instID(hits, n, i, 0) = instance;
     };
-    if (n != kWide) {
-        for (unsigned i = 0; i < n; ++i)
-            if (args->valid[i] != 0) one(i);
-        return;
-    }
-    LaneBits lanes = ValidLanes(args->valid);
-    if (std::has_single_bit(lanes)) return one(unsigned(std::countr_zero(lanes)));
-    auto &packet = *reinterpret_cast<RTCRayHit16 *>(args->rayhit);
-    lanes &= MayMeet(ball, packet.ray);
-    if (lanes == 0) return;
-    const WideMet met = MeetPacket(ball, packet.ray, lanes);
-    const auto set = [&](auto value, auto *to) { StoreWide(met.hit ? value : LoadWide(to), to); };
-    set(met.t, packet.ray.tfar);
-    set(WideFloat{}, packet.hit.u);
-    set(WideFloat{}, packet.hit.v);
-    set(WideUint{}, packet.hit.primID);
-    set(WideUint{} + localId, packet.hit.geomID);
-    set(WideUint{} + args->context->instID[0], packet.hit.instID[0]);
+    const auto many = [&](const WideMet &met) {
+        auto &packet = *reinterpret_cast<RTCRayHit16 *>(args->rayhit);
+        const auto set = [&](auto value, auto *to) {
+            StoreWide(met.hit ? value : LoadWide(to), to);
+        };
+        set(met.t, packet.ray.tfar);
+        set(WideFloat{}, packet.hit.u);
+        set(WideFloat{}, packet.hit.v);
+        set(WideUint{}, packet.hit.primID);
+        set(WideUint{} + localId, packet.hit.geomID);
+        set(WideUint{} + instance, packet.hit.instID[0]);
+    };
+    ForEachThatMeets(ball, args->valid, rays, n, one, many);
 }
 
 void OccludedBall(const Ball &ball, const RTCOccludedFunctionNArguments *args) {
-    const unsigned n = args->N;
-    const auto one = [&](unsigned i) {
-        double t;
-        if (MeetsRay(ball, args->ray, n, i, &t)) RTCRayN_tfar(args->ray, n, i) = -Infinity;
+    const auto one = [&](unsigned i, float) { RTCRayN_tfar(args->ray, args->N, i) = -Infinity; };
+    const auto many = [&](const WideMet &met) {
+        float *const tfar = reinterpret_cast<RTCRay16 *>(args->ray)->tfar;
+        StoreWide(Select(met.hit, -Infinity, LoadWide(tfar)), tfar);
     };
-    if (n != kWide) {
-        for (unsigned i = 0; i < n; ++i)
-            if (args->valid[i] != 0) one(i);
-        return;
-    }
-    LaneBits lanes = ValidLanes(args->valid);
-    if (std::has_single_bit(lanes)) return one(unsigned(std::countr_zero(lanes)));
-    auto &packet = *reinterpret_cast<RTCRay16 *>(args->ray);
-    lanes &= MayMeet(ball, packet);
-    if (lanes == 0) return;
-    const WideMet met = MeetPacket(ball, packet, lanes);
-    StoreWide(Select(met.hit, -Infinity, LoadWide(packet.tfar)), packet.tfar);
+    ForEachThatMeets(ball, args->valid, args->ray, args->N, one, many);
 }
 
 }  // namespace pbrt

@@ -13,6 +13,7 @@ struct Accel::Impl {
     std::span<const ObjectRange> objects;
     std::span<const Instance> instances;
     uint32_t nTop;
+    size_t nUser = 0, nOther = 0;  ///< primitives met by callbacks and by Embree, repeated ones too
     RTCDevice device = nullptr;
     RTCScene scene = nullptr;
     std::vector<RTCScene> objectScenes;
@@ -29,6 +30,13 @@ struct Accel::Impl {
     Impl &operator=(const Impl &) = delete;
 
     void Build(int nThreads);
+    void Count(uint32_t first, uint32_t last);
+    /// Whether rays of one octant should be traced as coherent ones.
+    bool IsSmall() const { return nUser <= 500 && nOther <= 100; }
+    /// Whether lanes of incoherent packets had better be traced one by one: where callbacks are,
+    /// Embree takes all rays through the tree together.
+    bool IntersectsSingly() const { return nUser > 1000; }
+    bool OccludesSingly() const { return nUser > 3000; }
     RTCScene NewScene(uint32_t first, uint32_t last, uint32_t quadricsId);
     RTCGeometry NewGeometry(const GeometryRecord &record);
     void AttachInstance(uint32_t index);

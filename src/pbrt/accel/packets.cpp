@@ -35,15 +35,28 @@ LaneBits Ended(const RTCRay16 &r, LaneBits active) {
 
 }  // namespace
 
+LaneBits Accel::IntersectSingly(const RayPacket &rays, LaneBits active, HitPacket *hits) const {
+    LaneBits found = 0;
+    ForEachLane(active, [&](int i) {
+        Hit hit;
+        if (!Intersect(rays.At(i), &hit)) return;
+        found |= 1u << i;
+        hits->Set(i, hit);
+    });
+    return found;
+}
+
 LaneBits Accel::Intersect(const RayPacket &rays, LaneBits active, HitPacket *hits,
                           Coherence coherence) const {
+    const bool coherent =
+        coherence == Coherence::Alike || (coherence == Coherence::Octant && impl->IsSmall());
+    if (!coherent && impl->IntersectsSingly()) return IntersectSingly(rays, active, hits);
     RTCRayHit16 rh;
     SetRays(rays, &rh.ray);
     StoreWide(WideUint{} + RTC_INVALID_GEOMETRY_ID, rh.hit.geomID);
     StoreWide(WideUint{} + RTC_INVALID_GEOMETRY_ID, rh.hit.instID[0]);
     QueryContext context(rays, nullptr, nullptr);
-    Intersect16(impl->scene, &context.embree, Valid(active).Data(), &rh,
-                coherence == Coherence::Alike);
+    Intersect16(impl->scene, &context.embree, Valid(active).Data(), &rh, coherent);
 
     WideUint geometry = LoadWide(rh.hit.geomID), instance = LoadWide(rh.hit.instID[0]);
     const WideMask found = (geometry != RTC_INVALID_GEOMETRY_ID) & MaskOf(active);
@@ -62,6 +75,11 @@ LaneBits Accel::Intersect(const RayPacket &rays, LaneBits active, HitPacket *hit
 }
 
 LaneBits Accel::Occluded(const RayPacket &rays, LaneBits active) const {
+    if (impl->OccludesSingly()) {
+        LaneBits blocked = 0;
+        ForEachLane(active, [&](int i) { blocked |= LaneBits(Occluded(rays.At(i))) << i; });
+        return blocked;
+    }
     RTCRay16 r;
     SetRays(rays, &r);
     QueryContext context(rays, nullptr, nullptr);
@@ -71,6 +89,8 @@ LaneBits Accel::Occluded(const RayPacket &rays, LaneBits active) const {
 
 void Accel::Transmittance(const RayPacket &rays, LaneBits active, const GapTransmittance &gaps,
                           WideFloat *passed) const {
+    if (impl->OccludesSingly())
+        return ForEachLane(active, [&](int i) { (*passed)[i] = Transmittance(rays.At(i), gaps); });
     RTCRay16 r;
     SetRays(rays, &r);
     double product[kWide];
