@@ -33,6 +33,10 @@ inline uint32_t Octant(Vector3f d) {
     return uint32_t(d.x < 0) | uint32_t(d.y < 0) << 1 | uint32_t(d.z < 0) << 2;
 }
 
+inline WideUint Octant(const WideVector3f &d) {
+    return std::bit_cast<WideUint>(((d.x < 0.f) & 1) | ((d.y < 0.f) & 2) | ((d.z < 0.f) & 4));
+}
+
 /// Sixteen of Hit.
 struct alignas(64) HitPacket {
     WideFloat t, u, v;

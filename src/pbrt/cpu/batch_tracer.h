@@ -13,7 +13,8 @@ namespace pbrt {
 template <typename SamplerT, typename Scattering = BSDFAsItIs>
 class BatchTracer {
   public:
-    BatchTracer(const World &world, const SamplerT &sampler) : world(world), sampler(sampler) {}
+    BatchTracer(const World &world, const SamplerT &sampler)
+        : world(world), sampler(sampler), choosesLights(!world.lightSampler.OnlyLight()) {}
 
     /// Adds the samples to the pixels' sums; batch.Size() <= kBatchSize.
     void Trace(const Batch &what, std::span<Film::Pixel> sums, RayCounts &counts) {
@@ -89,8 +90,10 @@ class BatchTracer {
         paths.next->Clear();
         for (PathList &list : lists)
             list.size = 0;
+        const bool fromCamera = dimension == kFirstVertexDimension;
+        if (!fromCamera) SortByOctant();
         for (int first = 0; first < paths.queue->Size(); first += kWide)
-            Intersect(first, std::min(kWide, paths.queue->Size() - first));
+            Intersect(first, fromCamera);
         for (size_t kind = 0; kind < lists.size(); ++kind) {
             const PathList &list = lists[kind];
             for (int first = 0; first < list.size; first += kWide)
@@ -100,23 +103,45 @@ class BatchTracer {
         std::swap(paths.queue, paths.next);
     }
 
-    void Intersect(int first, int count) {
-        const RayPacket packet = paths.queue->Rays(first);
+    /// Sets `order` to the places in the queue, octant by octant.
+    void SortByOctant() {
+        const int n = paths.queue->Size();
+        std::array<uint32_t, 9> end{};
+        for (int first = 0; first < n; first += kWide)
+            StoreWide(Octant(paths.queue->Directions(first)), &octant[size_t(first)]);
+        for (int i = 0; i < n; ++i)
+            ++end[octant[size_t(i)] + 1];
+        for (size_t k = 1; k < end.size(); ++k)
+            end[k] += end[k - 1];
+        for (int i = 0; i < n; ++i)
+            order[end[octant[size_t(i)]]++] = uint32_t(i);
+        std::fill_n(&order[size_t(n)], kWide, 0u);
+    }
+
+    void Intersect(int first, bool fromCamera) {
+        const int count = std::min(kWide, paths.queue->Size() - first);
+        const WideUint place =
+            fromCamera ? kLaneNumbers + uint32_t(first) : LoadWide(&order[size_t(first)]);
+        const RayPacket packet = paths.queue->RaysAt(place);
         HitPacket hits;
-        const LaneBits met = world.accel->Intersect(packet, FirstLanes(count), &hits);
+        const LaneBits met = world.accel->Intersect(
+            packet, FirstLanes(count), &hits, fromCamera ? Coherence::Alike : Coherence::Octant);
         rays->closest += count;
-        paths.SetHits(first, hits);
+        paths.SetHits(place, hits, met);
         for (int i = 0; i < count; ++i) {
-            PathList &list = lists[met >> i & 1 ? KindMet(first + i, hits.At(i), packet.At(i)) : 0];
-            list.at[size_t(list.size++)] = uint32_t(first + i);
+            size_t kind = 0;
+            if (met >> i & 1) kind = KindMet(place[i], hits.At(i), packet.At(i));
+            PathList &list = lists[kind];
+            list.at[size_t(list.size++)] = place[i];
         }
     }
+
     /// Which list the path at this place belongs to.
-    size_t KindMet(int at, const Hit &hit, const Ray &ray) {
+    size_t KindMet(uint32_t at, const Hit &hit, const Ray &ray) {
         MaterialId id = world.geometries[hit.geometry].material;
         if (world.AsMix(id)) [[unlikely]]
             id = world.MaterialMet(id, world.Interact(hit, ray), ray.d);
-        paths.material[size_t(at)] = uint32_t(id);
+        paths.material[at] = uint32_t(id);
         return 1 + 2 * world.materials[size_t(id)].index() + world.plain[size_t(id)];
     }
 
@@ -127,9 +152,10 @@ class BatchTracer {
             at[i] = from[std::min(i, count - 1)];
         if (kind == 0) return LeaveScene(at, count);
         const WideUint slot = paths.queue->SlotsAt(at);
-        const auto numbers = VertexNumbers::Draw(sampler, dimension, Gather(&paths.pixel[0], slot),
-                                                 Gather(&paths.sample[0], slot));
+        const WideUint pixel = Gather(&paths.pixel[0], slot), k = Gather(&paths.sample[0], slot);
         ForType(kind - 1, [&]<typename M, bool kPlain>() {
+            const auto numbers =
+                VertexNumbers::Draw(sampler, dimension, pixel, k, {choosesLights, !HasOneLobe<M>});
             Vertices<M, kPlain, Scattering>(world, paths, numbers).Meet(at, count);
         });
     }
@@ -192,9 +218,11 @@ class BatchTracer {
 
     const World &world;
     SamplerT sampler;
+    const bool choosesLights;
     RayCounts *rays = nullptr;
     Batch batch;
     PathBatch paths;
+    BatchArray<uint32_t> octant, order;
     /// Places in the queue.
     struct PathList {
         BatchArray<uint32_t> at;

@@ -27,14 +27,13 @@ struct PathBatch {
     BatchArray<SampledSpectrum> L{};
     BatchArray<SampledWavelengths> lambda{};
 
-    void SetHits(int first, const HitPacket &hits) {
-        const size_t at = size_t(first);
-        StoreWide(hits.t, &t[at]);
-        StoreWide(hits.u, &u[at]);
-        StoreWide(hits.v, &v[at]);
-        StoreWide(hits.geometry, &geometry[at]);
-        StoreWide(hits.primitive, &primitive[at]);
-        StoreWide(hits.instance, &instance[at]);
+    void SetHits(const WideUint &at, const HitPacket &hits, LaneBits lanes) {
+        Scatter(&t[0], at, hits.t, lanes);
+        Scatter(&u[0], at, hits.u, lanes);
+        Scatter(&v[0], at, hits.v, lanes);
+        Scatter(&geometry[0], at, hits.geometry, lanes);
+        Scatter(&primitive[0], at, hits.primitive, lanes);
+        Scatter(&instance[0], at, hits.instance, lanes);
     }
     HitPacket HitsAt(const WideUint &at) const {
         return {Gather(&t[0], at),        Gather(&u[0], at),         Gather(&v[0], at),

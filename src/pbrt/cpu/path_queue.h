@@ -71,11 +71,12 @@ class PathQueue {
             paths.beta[size_t(i)] = beta[at[i]];
         return paths;
     }
-    /// The rays of sixteen successive paths; those beyond Size() are anything.
-    RayPacket Rays(int first) const {
-        return {o.Load(first), d.Load(first), Broadcast16(Infinity),
-                LoadWide(&time[size_t(first)])};
+    /// The rays of the paths at sixteen places.
+    RayPacket RaysAt(const WideUint &at) const {
+        return {o.At(at), d.At(at), Broadcast16(Infinity), Gather(&time[0], at)};
     }
+    /// Of sixteen successive paths; those beyond Size() are anything.
+    WideVector3f Directions(int first) const { return d.Load(first); }
 
   private:
     BatchArray<uint32_t> slot{}, depth{}, anyNonSpecular{};

@@ -155,14 +155,18 @@ class Vertices {
     /// Probabilities of the lights chosen; samples of them.
     WideFloat ChooseLights(const WideLightSampleContext &ctx, LaneBits receivers,
                            LightLiSamples *samples) const {
-        WideFloat pmf{};
+        WideFloat pmf = Broadcast16(1.f);
         std::array<const Light *, kWide> lights{};
-        ForEachLane(receivers, [&](int i) {
-            const auto chosen = world.lightSampler.Sample(ctx.At(i), numbers.light[i]);
-            if (!chosen) return;
-            pmf[i] = chosen->pmf;
-            lights[size_t(i)] = &world.lights[size_t(chosen->light)];
-        });
+        if (const auto only = world.lightSampler.OnlyLight()) {
+            lights.fill(&world.lights[size_t(*only)]);
+        } else {
+            ForEachLane(receivers, [&](int i) {
+                const auto chosen = world.lightSampler.Sample(ctx.At(i), numbers.light[i]);
+                if (!chosen) return;
+                pmf[i] = chosen->pmf;
+                lights[size_t(i)] = &world.lights[size_t(chosen->light)];
+            });
+        }
         std::array<const SampledWavelengths *, kWide> lambda{};
         ForEachLane(receivers, [&](int i) { lambda[size_t(i)] = &batch.lambda[Slot(i)]; });
         ForEachLane(receivers, [&](int i) {

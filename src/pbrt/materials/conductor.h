@@ -9,6 +9,7 @@ namespace pbrt {
 /// incidence, not both; roughness as in Roughness.
 struct ConductorMaterial {
     static constexpr std::string_view kName = "conductor";
+    static constexpr bool kOneLobe = true;
     SpectrumTexture eta, k;
     std::optional<SpectrumTexture> reflectance;
     Roughness roughness;

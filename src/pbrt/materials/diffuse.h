@@ -8,6 +8,7 @@ namespace pbrt {
 /// Lambertian surface: `reflectance` (albedo texture, default 0.5).
 struct DiffuseMaterial {
     static constexpr std::string_view kName = "diffuse";
+    static constexpr bool kOneLobe = true;
     static constexpr bool kIsotropic = true;  ///< any frame about the normal will do
     SpectrumTexture reflectance{Spectrum(0.5f)};
 

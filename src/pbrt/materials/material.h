@@ -33,6 +33,10 @@ inline bool LetsLightThrough(const Material &material) {
     return std::visit([]<typename M>(const M &) { return PassesLight<M>; }, material);
 }
 
+/// Materials whose BxDFs have but one lobe, so that Sample_f reads no uc, declare kOneLobe.
+template <typename M>
+inline constexpr bool HasOneLobe = requires { M::kOneLobe; };
+
 /// Whether the material looks the same at every point and from every side, so that it needs
 /// neither tangents nor uv. Types that can be so have a member of that name.
 inline bool IsPlain(const Material &material) {

@@ -303,7 +303,15 @@ inline WideUint Permute(WideUint table, WideUint index) {
 }
 /// to[index[lane]] = v[lane] in the given lanes; of equal indices the last lane's counts.
 inline void Scatter(float *to, WideUint index, WideFloat v, LaneBits lanes) {
+#if defined(__AVX512F__)
+    _mm512_mask_i32scatter_ps(to, __mmask16(lanes), std::bit_cast<__m512i>(index),
+                              std::bit_cast<__m512>(v), 4);
+#else
     ForEachLane(lanes, [&](int i) { to[index[i]] = v[i]; });
+#endif
+}
+inline void Scatter(uint32_t *to, WideUint index, WideUint v, LaneBits lanes) {
+    Scatter(reinterpret_cast<float *>(to), index, std::bit_cast<WideFloat>(v), lanes);
 }
 
 /// The given lanes of v, one after another; writes up to sixteen numbers.
