@@ -10,6 +10,8 @@ class DiffuseBxDF {
   public:
     explicit DiffuseBxDF(SampledSpectrum reflectance) : f0(reflectance * InvPi) {}
 
+    /// f on wo's side.
+    SampledSpectrum Value() const { return f0; }
     BxDFFlags Flags() const {
         return f0 ? BxDFFlags::Diffuse | BxDFFlags::Reflection : BxDFFlags::Unset;
     }

@@ -5,9 +5,9 @@
 
 namespace pbrt {
 
-inline float PowerHeuristic(float f, float g) {
-    if (f > 1e18f) return 1;
-    return f * f / (f * f + g * g);
+template <typename T>
+inline T PowerHeuristic(T f, T g) {
+    return Select(f > 1e18f, 1.f, f * f / (f * f + g * g));
 }
 
 /// Weight of light that a path finds by following the BSDF, `lightPDF` being what light sampling

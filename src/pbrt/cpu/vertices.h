@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pbrt/bxdfs/bxdf.h"
+#include "pbrt/bxdfs/bxdf_lanes.h"
 #include "pbrt/cpu/emission.h"
 #include "pbrt/cpu/path_batch.h"
 #include "pbrt/cpu/shading_frame.h"
@@ -48,7 +48,7 @@ class Vertices {
         lanes &= BitsOf(wo.z != 0.f);
         if constexpr (PassesLight<M>) PassLastGaps(lanes & BitsOf(last));
         MakeBSDFs();
-        if (world.path.strategy != LightStrategy::BSDFOnly) SampleLights();
+        if (nonSpecular != 0 && world.path.strategy != LightStrategy::BSDFOnly) SampleLights();
         ScatterPaths();
         Survive();
         batch.next->Add(path, lanes);
@@ -81,9 +81,6 @@ class Vertices {
         });
     }
 
-    static bool ReceivesFromAllSides(BxDFFlags flags) {
-        return IsReflective(flags) && IsTransmissive(flags);
-    }
     TextureEvalContext ContextAt(int i) const {
         return kPlain ? TextureEvalContext() : world.TextureContext(Lane(sp, i));
     }
@@ -117,50 +114,45 @@ class Vertices {
 
     void MakeBSDFs() {
         ForEachLane(lanes, [&](int i) {
-            BxDF &bsdf = bsdfs[size_t(i)].emplace(
-                Scattering::At(MaterialAt(i), ContextAt(i), batch.lambda[Slot(i)]));
-            if (world.path.regularize && path.anyNonSpecular[i]) bsdf.Regularize();
+            bsdfs.Set(i, Scattering::At(MaterialAt(i), ContextAt(i), batch.lambda[Slot(i)]));
+            if (world.path.regularize && path.anyNonSpecular[i]) bsdfs.Regularize(i);
+            const BxDFFlags flags = bsdfs.Flags(i);
+            nonSpecular |= LaneBits(IsNonSpecular(flags)) << i;
+            allSides |= LaneBits(IsReflective(flags) && IsTransmissive(flags)) << i;
         });
     }
 
     void SampleLights() {
-        LaneBits nonSpecular = 0;
-        WideLightSampleContext ctx{sp.p, sp.n, sp.ns};
-        ForEachLane(lanes, [&](int i) {
-            const BxDFFlags flags = bsdfs[size_t(i)]->Flags();
-            if (!IsNonSpecular(flags)) return;
-            nonSpecular |= LaneBits(1) << i;
-            if (ReceivesFromAllSides(flags)) ctx.ForgetSide(i);
-        });
-        if (nonSpecular == 0) return;
+        const WideMask sided = ~MaskOf(allSides);
+        const WideLightSampleContext ctx{sp.p, Select(sided, sp.n, {}), Select(sided, sp.ns, {})};
         LightLiSamples ls;
-        const WideFloat pmf = ChooseLights(ctx, nonSpecular, &ls);
+        const WideFloat pmf = ChooseLights(ctx, &ls);
         const WideVector3f wi = frame.ToLocal(ls.wi);
-        const LaneBits lit = ls.valid & BitsOf((wi.z != 0.f) & (ls.pdf > 0.f));
-        const WideFloat lightPDF = pmf * ls.pdf, absCos = Abs(wi.z);
+        const LaneBits lit = ls.valid & nonSpecular & BitsOf((wi.z != 0.f) & (ls.pdf > 0.f));
+        if (lit == 0) return;
+        const BxDFValues values = bsdfs.Evaluate(wo, wi, lit);
+        const WideFloat lightPDF = pmf * ls.pdf;
+        WideFloat weight = Abs(wi.z) / lightPDF;
+        if (world.path.strategy == LightStrategy::Both)
+            weight *= Select(MaskOf(ls.delta), 1.f, PowerHeuristic(lightPDF, values.pdf));
         std::array<SampledSpectrum, kWide> gain;
         LaneBits some = 0;
         ForEachLane(lit, [&](int i) {
-            const auto [f, pdf] = Evaluate(*bsdfs[size_t(i)], Lane(wo, i), Lane(wi, i));
-            if (!f) return;
-            float weight = absCos[i] / lightPDF[i];
-            if (!(ls.delta >> i & 1) && world.path.strategy == LightStrategy::Both)
-                weight *= PowerHeuristic(lightPDF[i], pdf);
-            gain[size_t(i)] = path.beta[size_t(i)] * f * ls.L[size_t(i)] * weight;
-            if (gain[size_t(i)]) some |= LaneBits(1) << i;
+            const size_t k = size_t(i);
+            gain[k] = path.beta[k] * values.f[k] * ls.L[k] * weight[i];
+            some |= LaneBits(bool(gain[k])) << i;
         });
         batch.shadows.Add(path.slot, path.time, sp.OffsetOrigin(ls.wi), ls.pLight, gain, some);
     }
 
     /// Probabilities of the lights chosen; samples of them.
-    WideFloat ChooseLights(const WideLightSampleContext &ctx, LaneBits receivers,
-                           LightLiSamples *samples) const {
+    WideFloat ChooseLights(const WideLightSampleContext &ctx, LightLiSamples *samples) const {
         WideFloat pmf = Broadcast16(1.f);
         std::array<const Light *, kWide> lights{};
         if (const auto only = world.lightSampler.OnlyLight()) {
             lights.fill(&world.lights[size_t(*only)]);
         } else {
-            ForEachLane(receivers, [&](int i) {
+            ForEachLane(nonSpecular, [&](int i) {
                 const auto chosen = world.lightSampler.Sample(ctx.At(i), numbers.light[i]);
                 if (!chosen) return;
                 pmf[i] = chosen->pmf;
@@ -168,8 +160,8 @@ class Vertices {
             });
         }
         std::array<const SampledWavelengths *, kWide> lambda{};
-        ForEachLane(receivers, [&](int i) { lambda[size_t(i)] = &batch.lambda[Slot(i)]; });
-        ForEachLane(receivers, [&](int i) {
+        ForEachLane(nonSpecular, [&](int i) { lambda[size_t(i)] = &batch.lambda[Slot(i)]; });
+        ForEachLane(nonSpecular, [&](int i) {
             const Light *const light = lights[size_t(i)];
             if (!light) return;
             if (const auto s =
@@ -179,51 +171,31 @@ class Vertices {
         return pmf;
     }
 
-    struct Value {
-        SampledSpectrum f;
-        float pdf;
-    };
-    static Value Evaluate(const BxDF &bsdf, Vector3f wo, Vector3f wi) {
-        return {bsdf.f(wo, wi, TransportMode::Radiance), bsdf.PDF(wo, wi, TransportMode::Radiance)};
-    }
-
     /// Sets path to what follows; takes lanes that end.
     void ScatterPaths() {
-        WideVector3f wi{};
-        WideFloat pdf{};
-        LaneBits gone = 0, straight = 0;
-        ForEachLane(lanes, [&](int i) {
-            const auto s = bsdfs[size_t(i)]->Sample_f(
-                Lane(wo, i), numbers.lobe[i], Lane(numbers.direction, i), TransportMode::Radiance);
-            const LaneBits bit = LaneBits(1) << i;
-            if (!s || s->pdf == 0 || s->wi.z == 0 || !s->f) {
-                gone |= bit;
-                return;
-            }
-            path.beta[size_t(i)] *= s->f * (std::abs(s->wi.z) / s->pdf);
-            if (Has(s->flags, BxDFFlags::Gap)) {
-                straight |= bit;
-                return;
-            }
-            SetLane(&wi, i, s->wi);
-            pdf[i] = IsSpecular(s->flags) ? 0 : s->pdf;
-            if (!IsSpecular(s->flags)) path.anyNonSpecular[i] = 1;
-            if (Has(s->flags, BxDFFlags::Transmission)) path.etaScale[i] *= Sqr(s->eta);
-            if (ReceivesFromAllSides(bsdfs[size_t(i)]->Flags())) allSides |= bit;
+        const BxDFSamples s = bsdfs.Sample(wo, numbers.lobe, numbers.direction, lanes);
+        const WideFloat weight = Abs(s.wi.z) / s.pdf;
+        LaneBits some = 0;
+        ForEachLane(s.valid & BitsOf((s.pdf != 0.f) & (s.wi.z != 0.f)), [&](int i) {
+            path.beta[size_t(i)] *= s.f[size_t(i)] * weight[i];
+            some |= LaneBits(bool(s.f[size_t(i)])) << i;
         });
-        lanes &= ~gone;
-        Turn(frame.FromLocal(wi), pdf, MaskOf(straight));
+        lanes &= some;
+        const WideMask specular = MaskOf(s.specular), straight = MaskOf(s.gap);
+        if (s.transmission != 0)
+            path.etaScale *= Select(MaskOf(s.transmission), s.eta * s.eta, 1.f);
+        path.anyNonSpecular |= std::bit_cast<WideUint>(~(specular | straight) & 1);
+        Turn(frame.FromLocal(s.wi), Select(specular, 0.f, s.pdf), straight);
     }
 
     /// The next ray: into d, but where it passes a gap.
     void Turn(const WideVector3f &d, const WideFloat &pdf, const WideMask &straight) {
         path.d = Select(straight, path.d, d);
         path.o = sp.OffsetOrigin(path.d);
-        const WideNormal3f none{};
         const WideMask sided = ~MaskOf(allSides);
         path.p = Select(straight, path.p, sp.p);
-        path.n = Select(straight, path.n, Select(sided, sp.n, none));
-        path.ns = Select(straight, path.ns, Select(sided, sp.ns, none));
+        path.n = Select(straight, path.n, Select(sided, sp.n, {}));
+        path.ns = Select(straight, path.ns, Select(sided, sp.ns, {}));
         path.bsdfPDF = Select(straight, path.bsdfPDF, pdf);
         path.depth = Select(straight, path.depth, path.depth + 1u);
     }
@@ -245,14 +217,15 @@ class Vertices {
     PathBatch &batch;
     const VertexNumbers &numbers;
     WideUint at;
-    LaneBits lanes = 0;     ///< of the paths that still are to be worked on
+    LaneBits lanes = 0;  ///< of the paths that still are to be worked on
+    LaneBits nonSpecular = 0;
     LaneBits allSides = 0;  ///< receive light from both sides of the surface
     PathLanes path;
     HitPacket hits;
     SurfacePoints sp;
     WideFrame frame;
     WideVector3f wo;
-    std::array<std::optional<BxDF>, kWide> bsdfs;
+    BxDFLanes<BxDF> bsdfs;
 };
 
 }  // namespace pbrt
