@@ -20,6 +20,14 @@ TEST(Lanes, ExpWithinStatedError) {
     }
 }
 
+TEST(Lanes, LogWithinStatedError) {
+    for (double x = 1e-30; x < 1e30; x *= 1.001) {
+        const float at = float(x);
+        const double exact = std::log(double(at));
+        EXPECT_NEAR(Log(Broadcast(at))[0], exact, 1.5e-7 + 1.2e-7 * std::abs(exact)) << at;
+    }
+}
+
 TEST(Lanes, ExpAtTheEnds) {
     const Lanes y = Exp(Lanes{0, -1e30f, 1e30f, -Infinity});
     EXPECT_EQ(y[0], 1);

@@ -1,24 +1,9 @@
 #pragma once
 
 #include "pbrt/shapes/surface_point.h"
-#include "pbrt/util/wide.h"
+#include "pbrt/util/ray_packet.h"
 
 namespace pbrt {
-
-/// Sixteen rays side by side. What lanes hold that are not asked for does not matter.
-struct alignas(64) RayPacket {
-    WidePoint3f o;
-    WideVector3f d;
-    WideFloat tMax, time;
-
-    Ray At(int lane) const { return {Lane(o, lane), Lane(d, lane), tMax[lane], time[lane]}; }
-    void Set(int lane, const Ray &ray) {
-        SetLane(&o, lane, ray.o);
-        SetLane(&d, lane, ray.d);
-        tMax[lane] = ray.tMax;
-        time[lane] = ray.time;
-    }
-};
 
 /// What a packet's rays have in common. It decides how the nearest hits are looked for, not what
 /// they are. (Shadow rays gain nothing, not even from one pixel's points to one light.)

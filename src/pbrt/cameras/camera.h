@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "pbrt/scene/description.h"
+#include "pbrt/util/ray_packet.h"
 #include "pbrt/util/sampling.h"
 #include "pbrt/util/transform.h"
 
@@ -20,16 +21,26 @@ class Camera {
     /// `film` in pixels of the full picture, `lens` and `time` in [0, 1). d is unit. The ray's time
     /// runs from 0 at TransformTimes' start to 1 at its end and stays there before and after.
     Ray GenerateRay(Point2f film, Point2f lens, float time) const {
-        Point3f o = origin + film.x * originPerX + film.y * originPerY;
-        Vector3f d = direction + film.x * directionPerX + film.y * directionPerY;
+        Point3f o = OriginAt(film);
+        Vector3f d = DirectionAt(film);
         if (lensRadius > 0) {
             const Point3f focus = o + (focalDistance / DotAxis(d)) * d;
             const Point2f l = SampleUniformDiskConcentric(lens);
             o = o + lensRadius * (l.x * right + l.y * up);
             d = focus - o;
         }
-        return {o, Normalize(d), Infinity,
-                std::clamp(timeOpen + time * (timeClose - timeOpen), 0.f, 1.f)};
+        return {o, Normalize(d), Infinity, TimeAt(time)};
+    }
+    /// The same sixteen times.
+    RayPacket GenerateRays(const WidePoint2f &film, const WidePoint2f &lens,
+                           const WideFloat &time) const {
+        if (lensRadius > 0) {
+            RayPacket rays;
+            for (int i = 0; i < kWide; ++i)
+                rays.Set(i, GenerateRay(Lane(film, i), Lane(lens, i), time[i]));
+            return rays;
+        }
+        return {OriginAt(film), Normalize(DirectionAt(film)), Broadcast16(Infinity), TimeAt(time)};
     }
     const Transform &RenderFromWorld() const { return renderFromWorld; }
     const Transform &RenderFromCamera() const { return renderFromCamera; }
@@ -47,6 +58,23 @@ class Camera {
 
   private:
     float DotAxis(Vector3f d) const { return Dot(d, forward); }
+    template <typename T>
+    Vec3<T> OriginAt(Vec2<T> film) const {
+        return Affine(origin, originPerX, originPerY, film);
+    }
+    template <typename T>
+    Vec3<T> DirectionAt(Vec2<T> film) const {
+        return Affine(direction, directionPerX, directionPerY, film);
+    }
+    template <typename T>
+    static Vec3<T> Affine(Vector3f start, Vector3f perX, Vector3f perY, Vec2<T> at) {
+        return {start.x + at.x * perX.x + at.y * perY.x, start.y + at.x * perX.y + at.y * perY.y,
+                start.z + at.x * perX.z + at.y * perY.z};
+    }
+    template <typename T>
+    T TimeAt(T time) const {
+        return Min(Max(timeOpen + time * (timeClose - timeOpen), 0.f), 1.f);
+    }
 
     // Affine in film position: origin and direction at (0, 0) and their change per pixel.
     Point3f origin;

@@ -56,29 +56,27 @@ class BatchTracer {
         if (world.moves) time = jitters ? sampler.Get1D(kTime, pixel, k) : half;
         WidePoint2f uLens{half, half};
         if (world.camera.HasLens() && jitters) uLens = sampler.Get2D(kLens, pixel, k);
+        WidePoint2f film;
+        for (int i = 0; i < kWide; ++i) {
+            const FilterSample f =
+                jitters ? Sample(world.filter, Lane(uFilm, i)) : FilterSample{{}, 1};
+            const Point2i at = batch.pixels[pixel[i]];
+            filterWeight[first + uint32_t(i)] = f.weight;
+            SetLane(&film, i, {at.x + 0.5f + f.p.x, at.y + 0.5f + f.p.y});
+        }
+        const RayPacket packet = world.camera.GenerateRays(film, uLens, time);
         PathLanes path{};
         path.slot = kLaneNumbers + first;
-        path.time = time;
+        path.o = packet.o, path.d = packet.d, path.time = packet.time;
         path.etaScale = Broadcast16(1.f);
-        for (int i = 0; i < count; ++i) {
-            const FilterSample onFilm =
-                jitters ? Sample(world.filter, {uFilm.x[i], uFilm.y[i]}) : FilterSample{{0, 0}, 1};
-            const Point2i at = batch.pixels[pixel[i]];
-            const Ray ray =
-                world.camera.GenerateRay({at.x + 0.5f + onFilm.p.x, at.y + 0.5f + onFilm.p.y},
-                                         {uLens.x[i], uLens.y[i]}, time[i]);
-            SetLane(&path.o, i, ray.o);
-            SetLane(&path.d, i, ray.d);
-            path.time[i] = ray.time;
-            path.beta[size_t(i)] = SampledSpectrum(1);
-            StartPath(first + uint32_t(i), uLambda[i], onFilm.weight, ray);
-        }
+        path.beta.fill(SampledSpectrum(1));
         paths.queue->Add(path, FirstLanes(count));
+        for (int i = 0; i < count; ++i)
+            StartPath(first + uint32_t(i), uLambda[i], packet.At(i));
     }
-    void StartPath(uint32_t slot, float uLambda, float weight, const Ray &ray) {
+    void StartPath(uint32_t slot, float uLambda, const Ray &ray) {
         paths.lambda[slot] = world.film.SampleWavelengths(uLambda);
         paths.L[slot] = SampledSpectrum(0);
-        filterWeight[slot] = weight;
         if (world.film.WantsSurface()) [[unlikely]]
             seen[slot] = FirstSeen(world, ray, paths.lambda[slot]);
     }

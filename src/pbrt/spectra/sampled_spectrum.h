@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "pbrt/util/vecmath.h"
+#include "pbrt/util/lanes.h"
 
 namespace pbrt {
 
@@ -110,15 +110,14 @@ class SampledWavelengths {
 };
 
 inline SampledWavelengths SampledWavelengths::SampleVisible(float u) {
+    using Lanes = SampledSpectrum::Lanes;
+    const Lanes shifted = u + Lanes{0, 0.25f, 0.5f, 0.75f};
+    // The inverse of the cumulative density; 1 / cosh^2(atanh(y)) is 1 - y^2.
+    const Lanes y = 0.85691062f - 1.82750197f * (shifted < 1 ? shifted : shifted - 1);
+    const Lanes lambda = 538 - (138.888889f / 2) * Log((1 + y) / (1 - y));
     SampledWavelengths w;
-    for (int i = 0; i < NSpectrumSamples; ++i) {
-        const float shifted = u + 0.25f * i;
-        // The inverse of the cumulative density; 1 / cosh^2(atanh(y)) is 1 - y^2.
-        const float y = 0.85691062f - 1.82750197f * (shifted < 1 ? shifted : shifted - 1);
-        const float atanhY = 0.5f * std::log((1 + y) / (1 - y));
-        w.lambda.Set(i, std::clamp(538 - 138.888889f * atanhY, LambdaMin, LambdaMax));
-        w.pdf.Set(i, 0.0039398042f * (1 - y * y));
-    }
+    w.lambda = SampledSpectrum(Min(Max(lambda, Broadcast(LambdaMin)), Broadcast(LambdaMax)));
+    w.pdf = SampledSpectrum(0.0039398042f * (1 - y * y));
     return w;
 }
 

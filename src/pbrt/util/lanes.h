@@ -53,4 +53,18 @@ inline Lanes Exp(Lanes x) {
     return p * std::bit_cast<Lanes>(exponent << 23);
 }
 
+/// Natural logarithm of normal positive numbers; error below 1.5e-7 plus 1.2e-7 of the result. By
+/// hand for the same reason as Exp.
+inline Lanes Log(Lanes x) {
+    // x = m 2^e with m in [sqrt(1/2), sqrt(2)).
+    const IntLanes bits = std::bit_cast<IntLanes>(x) - 0x3f3504f3;
+    const IntLanes e = bits >> 23;
+    const Lanes m = std::bit_cast<Lanes>((bits & 0x007fffff) + 0x3f3504f3);
+    // log m = 2 atanh s, its series: the first term left out is below 1e-9.
+    const Lanes s = (m - 1) / (m + 1), q = s * s;
+    const Lanes series = EvaluatePolynomial(q, Broadcast(1), Broadcast(1.f / 3), Broadcast(1.f / 5),
+                                            Broadcast(1.f / 7), Broadcast(1.f / 9));
+    return 2 * s * series + __builtin_convertvector(e, Lanes) * 0.693147181f;
+}
+
 }  // namespace pbrt

@@ -15,8 +15,12 @@ inline constexpr float Infinity = std::numeric_limits<float>::infinity();
 /// Largest float below 1: upper end of every random number.
 inline constexpr float OneMinusEpsilon = 0x1.fffffep-1f;
 
-inline constexpr float Radians(float deg) { return deg * (Pi / 180); }
-inline constexpr float Degrees(float rad) { return rad * (180 / Pi); }
+inline constexpr float Radians(float deg) {
+    return deg * (Pi / 180);
+}
+inline constexpr float Degrees(float rad) {
+    return rad * (180 / Pi);
+}
 template <typename T>
 constexpr T Sqr(T x) {
     return x * x;
@@ -25,7 +29,9 @@ template <typename T, typename U>
 constexpr auto Lerp(U t, T a, T b) {
     return (1 - t) * a + t * b;
 }
-inline float SafeSqrt(float x) { return std::sqrt(std::max(0.f, x)); }
+inline float SafeSqrt(float x) {
+    return std::sqrt(std::max(0.f, x));
+}
 /// Relative rounding error of n operations.
 inline constexpr float Gamma(int n) {
     return n * (0x1p-24f) / (1 - n * 0x1p-24f);
@@ -56,47 +62,83 @@ using Point3f = Vec3<float>;
 using Normal3f = Vec3<float>;
 
 template <typename T>
-constexpr Vec2<T> operator+(Vec2<T> a, Vec2<T> b) { return {a.x + b.x, a.y + b.y}; }
+constexpr Vec2<T> operator+(Vec2<T> a, Vec2<T> b) {
+    return {a.x + b.x, a.y + b.y};
+}
 template <typename T>
-constexpr Vec2<T> operator-(Vec2<T> a, Vec2<T> b) { return {a.x - b.x, a.y - b.y}; }
+constexpr Vec2<T> operator-(Vec2<T> a, Vec2<T> b) {
+    return {a.x - b.x, a.y - b.y};
+}
 template <typename T>
-constexpr Vec2<T> operator*(T s, Vec2<T> a) { return {s * a.x, s * a.y}; }
+constexpr Vec2<T> operator*(T s, Vec2<T> a) {
+    return {s * a.x, s * a.y};
+}
 template <typename T>
-constexpr Vec2<T> operator*(Vec2<T> a, T s) { return {s * a.x, s * a.y}; }
+constexpr Vec2<T> operator*(Vec2<T> a, T s) {
+    return {s * a.x, s * a.y};
+}
 
 template <typename T>
-constexpr Vec3<T> operator+(Vec3<T> a, Vec3<T> b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+constexpr Vec3<T> operator+(Vec3<T> a, Vec3<T> b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
 template <typename T>
-constexpr Vec3<T> operator-(Vec3<T> a, Vec3<T> b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+constexpr Vec3<T> operator-(Vec3<T> a, Vec3<T> b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
 template <typename T>
-constexpr Vec3<T> operator-(Vec3<T> a) { return {-a.x, -a.y, -a.z}; }
+constexpr Vec3<T> operator-(Vec3<T> a) {
+    return {-a.x, -a.y, -a.z};
+}
 template <typename T>
-constexpr Vec3<T> operator*(T s, Vec3<T> a) { return {s * a.x, s * a.y, s * a.z}; }
+constexpr Vec3<T> operator*(T s, Vec3<T> a) {
+    return {s * a.x, s * a.y, s * a.z};
+}
 template <typename T>
-constexpr Vec3<T> operator*(Vec3<T> a, T s) { return {s * a.x, s * a.y, s * a.z}; }
+constexpr Vec3<T> operator*(Vec3<T> a, T s) {
+    return {s * a.x, s * a.y, s * a.z};
+}
 template <typename T>
-constexpr Vec3<T> operator/(Vec3<T> a, T s) { return a * (T(1) / s); }
+constexpr Vec3<T> operator/(Vec3<T> a, T s) {
+    return a * (T(1) / s);
+}
 template <typename T>
-constexpr Vec3<T> &operator+=(Vec3<T> &a, Vec3<T> b) { return a = a + b; }
+constexpr Vec3<T> &operator+=(Vec3<T> &a, Vec3<T> b) {
+    return a = a + b;
+}
 
 template <typename T>
-constexpr T Dot(Vec3<T> a, Vec3<T> b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+constexpr T Dot(Vec3<T> a, Vec3<T> b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 template <typename T>
-T AbsDot(Vec3<T> a, Vec3<T> b) { return std::abs(Dot(a, b)); }
+T AbsDot(Vec3<T> a, Vec3<T> b) {
+    return std::abs(Dot(a, b));
+}
 template <typename T>
 constexpr Vec3<T> Cross(Vec3<T> a, Vec3<T> b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 template <typename T>
-constexpr T LengthSquared(Vec3<T> a) { return Dot(a, a); }
+constexpr T LengthSquared(Vec3<T> a) {
+    return Dot(a, a);
+}
 template <typename T>
-T Length(Vec3<T> a) { return std::sqrt(Dot(a, a)); }
+T Length(Vec3<T> a) {
+    return std::sqrt(Dot(a, a));
+}
 template <typename T>
-Vec3<T> Normalize(Vec3<T> a) { return a * (T(1) / Length(a)); }
+Vec3<T> Normalize(Vec3<T> a) {
+    return a * (T(1) / Length(a));
+}
 template <typename T>
-Vec3<T> Abs(Vec3<T> a) { return {std::abs(a.x), std::abs(a.y), std::abs(a.z)}; }
+Vec3<T> Abs(Vec3<T> a) {
+    return {std::abs(a.x), std::abs(a.y), std::abs(a.z)};
+}
 template <typename T>
-constexpr T MaxComponent(Vec3<T> a) { return std::max(a.x, std::max(a.y, a.z)); }
+constexpr T MaxComponent(Vec3<T> a) {
+    return std::max(a.x, std::max(a.y, a.z));
+}
 template <typename T>
 constexpr Vec3<T> Min(Vec3<T> a, Vec3<T> b) {
     return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
@@ -106,8 +148,12 @@ constexpr Vec3<T> Max(Vec3<T> a, Vec3<T> b) {
     return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
 }
 /// n, turned round where needed so that it lies in v's hemisphere.
-inline Normal3f FaceForward(Normal3f n, Vector3f v) { return Dot(n, v) < 0 ? -n : n; }
-inline float DistanceSquared(Point3f a, Point3f b) { return LengthSquared(a - b); }
+inline Normal3f FaceForward(Normal3f n, Vector3f v) {
+    return Dot(n, v) < 0 ? -n : n;
+}
+inline float DistanceSquared(Point3f a, Point3f b) {
+    return LengthSquared(a - b);
+}
 
 /// Angle between unit vectors in radians, accurate near 0 and pi (Kahan's half-angle form).
 inline float AngleBetween(Vector3f a, Vector3f b) {
@@ -166,8 +212,14 @@ struct FrameT {
 using Frame = FrameT<float>;
 
 // Directions in a BxDF's local frame.
-inline float CosTheta(Vector3f w) { return w.z; }
-inline float AbsCosTheta(Vector3f w) { return std::abs(w.z); }
-inline bool SameHemisphere(Vector3f a, Vector3f b) { return a.z * b.z > 0; }
+inline float CosTheta(Vector3f w) {
+    return w.z;
+}
+inline float AbsCosTheta(Vector3f w) {
+    return std::abs(w.z);
+}
+inline bool SameHemisphere(Vector3f a, Vector3f b) {
+    return a.z * b.z > 0;
+}
 
 }  // namespace pbrt

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "pbrt/util/wide.h"
+
+namespace pbrt {
+
+/// Sixteen rays side by side. What lanes hold that are not asked for does not matter.
+struct alignas(64) RayPacket {
+    WidePoint3f o;
+    WideVector3f d;
+    WideFloat tMax, time;
+
+    Ray At(int lane) const { return {Lane(o, lane), Lane(d, lane), tMax[lane], time[lane]}; }
+    void Set(int lane, const Ray &ray) {
+        SetLane(&o, lane, ray.o);
+        SetLane(&d, lane, ray.d);
+        tMax[lane] = ray.tMax;
+        time[lane] = ray.time;
+    }
+};
+
+}  // namespace pbrt
