@@ -6,7 +6,7 @@ namespace pbrt {
 
 /// So many paths are traced together: enough that packets stay full when most have ended, few
 /// enough that their state stays in a core's own cache.
-inline constexpr int kBatchSize = 1024;
+inline constexpr int kBatchSize = 2048;
 
 /// One number for each path of a batch, readable sixteen at a time.
 template <typename T>
