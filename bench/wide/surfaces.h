@@ -40,9 +40,15 @@ inline BilinearMesh BenchPatches(Rng &rng) {
 inline void AddSurface(Stopwatch &watch, const std::string &name, Rng &rng,
                        std::vector<Shape> list) {
     constexpr int kPackets = 64;
+    struct One {
+        const Shape *shape;
+        Hit hit;
+        Ray ray;
+    };
     struct Work {
         std::vector<Shape> shapes;
         std::vector<PacketHits> hits;
+        std::vector<One> ones;
     };
     const auto work = std::make_shared<Work>();
     work->shapes = std::move(list);
@@ -58,15 +64,19 @@ inline void AddSurface(Stopwatch &watch, const std::string &name, Rng &rng,
             met.hit.t[i] = rng.Uniform();
             SetLane(&met.o, i, RandomPoint(rng));
             SetLane(&met.d, i, RandomPoint(rng));
+            const HitPacket &h = met.hit;
+            work->ones.push_back(
+                {met.shape[size_t(i)],
+                 {h.t[i], h.u[i], h.v[i], h.geometry[i], h.primitive[i], h.instance[i]},
+                 {Lane(met.o, i), Lane(met.d, i)}});
         }
     const int calls = kPackets * kWide;
     watch.Add(name + " scalar", calls, [=] {
         float sum = 0;
-        for (const PacketHits &met : work->hits)
-            for (int i = 0; i < kWide; ++i) {
-                const SurfacePoint s = detail::InteractLane(met, i);
-                sum += s.p.x + s.pError.y + s.n.z + s.ns.x + s.dpdus.x + s.uv.x;
-            }
+        for (const One &one : work->ones) {
+            const SurfacePoint s = Interact(*one.shape, one.hit, one.ray);
+            sum += s.p.x + s.pError.y + s.n.z + s.ns.x + s.dpdus.x + s.uv.x;
+        }
         return sum;
     });
     const auto wide = [=]<bool kWithTangents>(std::bool_constant<kWithTangents>) {

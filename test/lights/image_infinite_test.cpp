@@ -48,8 +48,8 @@ TEST(ImageInfiniteLight, PDFIntegratesToOneAndMatchesItsSamples) {
         double sum = 0;
         for (int y = 0; y < n; ++y)
             for (int x = 0; x < n; ++x)
-                sum += double(light.PDF_Li(
-                    EqualAreaSquareToSphere({(float(x) + 0.5f) / n, (float(y) + 0.5f) / n})));
+                sum += double(light.PDF_Li(EqualAreaSquareToSphere(
+                    Point2f{(float(x) + 0.5f) / n, (float(y) + 0.5f) / n})));
         EXPECT_NEAR(sum * 4 * double(Pi) / (n * n), 1, 3e-3);
         std::mt19937 rng(2);
         int agree = 0;
@@ -84,8 +84,8 @@ TEST(ImageInfiniteLight, SamplesFollowTheDensity) {
         for (int y = 0; y < bins * fine; ++y)
             for (int x = 0; x < bins * fine; ++x)
                 expected[size_t(y / fine * bins + x / fine)] +=
-                    double(light.PDF_Li(EqualAreaSquareToSphere(
-                        {(float(x) + 0.5f) / (bins * fine), (float(y) + 0.5f) / (bins * fine)}))) *
+                    double(light.PDF_Li(EqualAreaSquareToSphere(Point2f{
+                        (float(x) + 0.5f) / (bins * fine), (float(y) + 0.5f) / (bins * fine)}))) *
                     4 * double(Pi) / (bins * fine * bins * fine) * samples;
         EXPECT_GT(TestCounts(counts, expected).pValue, Sidak(0.01, 2));
     }
@@ -101,7 +101,7 @@ TEST(ImageInfiniteLight, IrradianceWithMISAgreesWithQuadrature) {
     for (int y = 0; y < m; ++y)
         for (int x = 0; x < m; ++x) {
             const Vector3f w =
-                EqualAreaSquareToSphere({(float(x) + 0.5f) / m, (float(y) + 0.5f) / m});
+                EqualAreaSquareToSphere(Point2f{(float(x) + 0.5f) / m, (float(y) + 0.5f) / m});
             want +=
                 double(Luminance(light.Le(w, kLambda), white, kLambda) * std::max(0.f, Dot(n, w)));
         }
@@ -134,15 +134,15 @@ TEST(ImageInfiniteLight, DimPartsAreLeftToTheBSDF) {
     for (size_t i = 0; i < image.Data().size(); ++i)
         image.Data()[i] = i < 3 ? 100 : 1;  // one bright texel
     const ImageInfiniteLight light = Lit(image, Transform());
-    EXPECT_GT(light.PDF_Li(EqualAreaSquareToSphere({0.1f, 0.1f})), 0);
-    EXPECT_EQ(light.PDF_Li(EqualAreaSquareToSphere({0.6f, 0.6f})), 0);
+    EXPECT_GT(light.PDF_Li(EqualAreaSquareToSphere(Point2f{0.1f, 0.1f})), 0);
+    EXPECT_EQ(light.PDF_Li(EqualAreaSquareToSphere(Point2f{0.6f, 0.6f})), 0);
 }
 
 TEST(ImageInfiniteLight, AConstantPictureIsSampledUniformly) {
     Image image({4, 4}, {"R", "G", "B"});
     std::fill(image.Data().begin(), image.Data().end(), 2.f);
     const ImageInfiniteLight light = Lit(image);
-    EXPECT_FLOAT_EQ(light.PDF_Li({0, 0, 1}), 1 / (4 * Pi));
+    EXPECT_FLOAT_EQ(light.PDF_Li(Vector3f{0, 0, 1}), 1 / (4 * Pi));
     EXPECT_NEAR(Luminance(light.Le({0.6f, 0, 0.8f}, kLambda), light.sky->illuminant, kLambda), 2,
                 1e-2);
     EXPECT_NEAR(light.Power(), 4 * Pi * Pi * 100 * 2, 40);
@@ -173,7 +173,7 @@ TEST_F(ImageInfiniteLightFiles, MeetTheTargetIlluminance) {
     for (int y = 0; y < m; ++y)
         for (int x = 0; x < m; ++x) {
             const Vector3f w =
-                EqualAreaSquareToSphere({(float(x) + 0.5f) / m, (float(y) + 0.5f) / m});
+                EqualAreaSquareToSphere(Point2f{(float(x) + 0.5f) / m, (float(y) + 0.5f) / m});
             if (w.z > 0)
                 sum +=
                     double(w.z * Luminance(light.Le(w, kLambda), light.sky->illuminant, kLambda));

@@ -21,12 +21,12 @@ TEST(FastAtan2, IsNearAtan2) {
 }
 
 TEST(FastAtan2, OnTheAxes) {
-    EXPECT_EQ(FastAtan2(0, 0), 0);
-    EXPECT_EQ(FastAtan2(0, 2), 0);
-    EXPECT_EQ(FastAtan2(0, -2), Pi);
-    EXPECT_EQ(FastAtan2(3, 0), Pi / 2);
-    EXPECT_EQ(FastAtan2(-3, 0), -Pi / 2);
-    EXPECT_EQ(FastAtan2(1, 1), Pi / 4);
+    EXPECT_EQ(FastAtan2(0.f, 0.f), 0);
+    EXPECT_EQ(FastAtan2(0.f, 2.f), 0);
+    EXPECT_EQ(FastAtan2(0.f, -2.f), Pi);
+    EXPECT_EQ(FastAtan2(3.f, 0.f), Pi / 2);
+    EXPECT_EQ(FastAtan2(-3.f, 0.f), -Pi / 2);
+    EXPECT_EQ(FastAtan2(1.f, 1.f), Pi / 4);
 }
 
 }  // namespace

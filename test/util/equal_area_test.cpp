@@ -60,10 +60,10 @@ TEST(EqualArea, CellsOfEqualSizeHaveEqualSolidAngle) {
         const Point2f p{uniform(random), uniform(random)};
         const float u = std::abs(2 * p.x - 1), v = std::abs(2 * p.y - 1);
         if (std::min({u, v, std::abs(1 - u - v), 1 - u, 1 - v}) < 8 * h) continue;
-        const Vector3f du =
-            EqualAreaSquareToSphere({p.x + h, p.y}) - EqualAreaSquareToSphere({p.x - h, p.y});
-        const Vector3f dv =
-            EqualAreaSquareToSphere({p.x, p.y + h}) - EqualAreaSquareToSphere({p.x, p.y - h});
+        const Vector3f du = EqualAreaSquareToSphere(Point2f{p.x + h, p.y}) -
+                            EqualAreaSquareToSphere(Point2f{p.x - h, p.y});
+        const Vector3f dv = EqualAreaSquareToSphere(Point2f{p.x, p.y + h}) -
+                            EqualAreaSquareToSphere(Point2f{p.x, p.y - h});
         const float jacobian = Length(Cross(du, dv)) / Sqr(2 * h);
         // Second order in h / r, r >= 16 h: 1 %.
         EXPECT_NEAR(jacobian / (4 * Pi), 1, 0.01f) << p.x << ' ' << p.y;

@@ -24,7 +24,7 @@ TEST(Math, SinCosTurnsWithinStatedError) {
     check(-0x1p20f);
     EXPECT_LT(worst, 1.5e-7);
     EXPECT_EQ(SinCosTurns(0.25f).sin, 1);
-    EXPECT_EQ(SinCosTurns(0).sin, 0);
+    EXPECT_EQ(SinCosTurns(0.f).sin, 0);
 }
 
 TEST(Math, PolynomialByHornersRule) {

@@ -31,7 +31,7 @@ std::vector<Pair> Pairs() {
     std::vector<Pair> pairs{
         {"disk", [](Point2f u) { return In3D(SampleUniformDiskConcentric(u)); },
          [](Vector3f p) { return InvertUniformDiskConcentric(In2D(p)); }, 1e-6f},
-        {"cosine", SampleCosineHemisphere, InvertCosineHemisphere, 1e-6f},
+        {"cosine", SampleCosineHemisphere<float>, InvertCosineHemisphere, 1e-6f},
         {"triangle", [](Point2f u) { return In3D(SampleUniformTriangle(u)); },
          [](Vector3f p) { return InvertUniformTriangle(In2D(p)); }, 1e-6f},
     };
@@ -66,7 +66,7 @@ TEST(Sampling, JacobianIsOneOverDensity) {
     const std::vector<Case> cases{
         {"disk", [](Point2f u) { return In3D(SampleUniformDiskConcentric(u)); },
          [](Vector3f) { return InvPi; }},
-        {"cosine", SampleCosineHemisphere, [](Vector3f w) { return CosineHemispherePDF(w.z); }},
+        {"cosine", SampleCosineHemisphere<float>, [](Vector3f w) { return CosineHemispherePDF(w.z); }},
         {"hemisphere", SampleUniformHemisphere, [](Vector3f) { return UniformHemispherePDF; }},
         {"sphere", SampleUniformSphere, [](Vector3f) { return UniformSpherePDF; }},
         {"cone", [](Point2f u) { return SampleUniformCone(u, 0.3f); },

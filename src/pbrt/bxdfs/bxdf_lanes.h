@@ -85,8 +85,7 @@ class BxDFLanes<DiffuseBxDF> {
     BxDFSamples Sample(const WideVector3f &wo, const WideFloat &, const WidePoint2f &u,
                        LaneBits active) const {
         BxDFSamples samples;
-        for (int i = 0; i < kWide; ++i)
-            SetLane(&samples.wi, i, SampleCosineHemisphere(Lane(u, i)));
+        samples.wi = SampleCosineHemisphere(u);
         samples.pdf = samples.wi.z * InvPi;
         samples.wi.z = CopySign(samples.wi.z, wo.z);
         samples.f = f0;

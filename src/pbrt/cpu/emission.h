@@ -2,13 +2,9 @@
 
 #include "pbrt/cpu/path_state.h"
 #include "pbrt/cpu/world.h"
+#include "pbrt/util/sampling.h"
 
 namespace pbrt {
-
-template <typename T>
-inline T PowerHeuristic(T f, T g) {
-    return Select(f > 1e18f, 1.f, f * f / (f * f + g * g));
-}
 
 /// Weight of light that a path finds by following the BSDF, `lightPDF` being what light sampling
 /// would have drawn it with from the last vertex.

@@ -4,6 +4,7 @@
 #include "pbrt/cpu/emission.h"
 #include "pbrt/cpu/path_batch.h"
 #include "pbrt/cpu/shading_frame.h"
+#include "pbrt/lights/light_packet.h"
 
 namespace pbrt {
 
@@ -161,13 +162,7 @@ class Vertices {
         }
         std::array<const SampledWavelengths *, kWide> lambda{};
         ForEachLane(nonSpecular, [&](int i) { lambda[size_t(i)] = &batch.lambda[Slot(i)]; });
-        ForEachLane(nonSpecular, [&](int i) {
-            const Light *const light = lights[size_t(i)];
-            if (!light) return;
-            if (const auto s =
-                    SampleLi(*light, ctx.At(i), Lane(numbers.lightPoint, i), *lambda[size_t(i)]))
-                samples->Set(i, *s);
-        });
+        SampleLi(lights, ctx, numbers.lightPoint, lambda, nonSpecular, samples);
         return pmf;
     }
 

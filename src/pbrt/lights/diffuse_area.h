@@ -64,9 +64,8 @@ struct DiffuseAreaLight {
     std::optional<ShapeSample> Draw(Point3f ref, Point2f u) const {
         if (!surface->rectangle) return SampleFrom(*surface->shape, primitive, ref, u);
         const Rectangle &r = *surface->rectangle;
-        const auto s = r.SampleFrom(ref, u);
-        if (!s) return std::nullopt;
-        return ShapeSample{s->p, r.Error(), r.Normal(), s->uv, s->pdf};
+        const Rectangle::Sample s = r.SampleFrom(ref, u);
+        return ShapeSample{s.p, r.Error(), r.Normal(), s.uv, s.pdf};
     }
     float Opacity(const ShapeSample &at) const;
 };

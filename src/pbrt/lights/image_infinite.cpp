@@ -39,7 +39,7 @@ float ImageInfiniteLight::Illuminance(const Image &image, const RGBColorSpace &c
     for (int y = 0; y < res.y; ++y) {
         for (int x = 0; x < res.x; ++x) {
             const Vector3f w = EqualAreaSquareToSphere(
-                {(float(x) + 0.5f) / float(res.x), (float(y) + 0.5f) / float(res.y)});
+                Point2f{(float(x) + 0.5f) / float(res.x), (float(y) + 0.5f) / float(res.y)});
             if (w.z > 0) sum += double(w.z * Luminance(TexelRGB(image, x, y), colorSpace));
         }
     }

@@ -31,19 +31,34 @@ struct ImageInfiniteLight {
     std::optional<LightLiSample> SampleLi(const LightSampleContext &ctx, Point2f u,
                                           const SampledWavelengths &lambda) const {
         const PiecewiseConstant2D::Sample s = sky->directions.Draw(u);
-        const Vector3f w = sky->renderFromLight.Vector(EqualAreaSquareToSphere(s.p));
-        // Solid angle shrinks by |w|^3 / det under the transform.
-        const float length = Length(w);
-        const float pdf = s.pdf * (1 / (4 * Pi)) * (length * length * length) * sky->invDet;
+        const auto [wi, pdf] = Leave(s.p, s.pdf);
         const SampledSpectrum L = Radiance(s.step, lambda);
         if (!(pdf > 0) || !L) return std::nullopt;
-        const Vector3f wi = w * (1 / length);
         return LightLiSample{L, wi, pdf, ctx.p + (2 * sceneRadius) * wi, false};
     }
-    float PDF_Li(Vector3f wi) const {
-        const Vector3f w = sky->lightFromRender.Vector(wi);
-        const float invLength = 1 / Length(w);
-        const Point2f p = EqualAreaSphereToSquare(w * invLength);
+    /// The same in the given lanes.
+    void SampleLi(const WideLightSampleContext &ctx, const WidePoint2f &u,
+                  const std::array<const SampledWavelengths *, kWide> &lambda, LaneBits lanes,
+                  LightLiSamples *samples) const {
+        const PiecewiseConstant2D::Samples s = sky->directions.Draw(u);
+        const auto [wi, pdf] = Leave(s.p, s.pdf);
+        const WideMask mask = MaskOf(lanes);
+        samples->wi = Select(mask, wi, samples->wi);
+        samples->pdf = Select(mask, pdf, samples->pdf);
+        samples->pLight = Select(mask, ctx.p + (2 * sceneRadius) * wi, samples->pLight);
+        ForEachLane(lanes & BitsOf(pdf > 0), [&](int i) {
+            const SampledSpectrum L =
+                Radiance({int(s.column[i]), int(s.row[i])}, *lambda[size_t(i)]);
+            samples->L[size_t(i)] = L;
+            samples->valid |= LaneBits(bool(L)) << i;
+        });
+    }
+    /// T: float or WideFloat.
+    template <AnyFloat T>
+    T PDF_Li(Vec3<T> wi) const {
+        const Vec3<T> w = sky->lightFromRender.Vector(wi);
+        const T invLength = 1 / Length(w);
+        const Vec2<T> p = EqualAreaSphereToSquare(Vec3<T>(w * invLength));
         return sky->directions.PDF(p) * (1 / (4 * Pi)) * Sqr(invLength) * invLength * sky->invDet;
     }
     SampledSpectrum Le(Vector3f d, const SampledWavelengths &lambda) const {
@@ -72,6 +87,20 @@ struct ImageInfiniteLight {
         const Texel &t = sky->texels[size_t(texel.y) * size_t(sky->resolution) + size_t(texel.x)];
         if (t.scale == 0) return SampledSpectrum(0.f);
         return t.sigmoid.Sample(lambda) * sky->illuminant.Sample(lambda) * t.scale;
+    }
+
+    /// A direction drawn in the square, in rendering space.
+    template <typename T>
+    struct Direction {
+        Vec3<T> wi;
+        T pdf;  ///< per unit solid angle
+    };
+    template <AnyFloat T>
+    Direction<T> Leave(Vec2<T> square, T pdf) const {
+        const Vec3<T> w = sky->renderFromLight.Vector(EqualAreaSquareToSphere(square));
+        // Solid angle shrinks by |w|^3 / det under the transform.
+        const T length = Length(w);
+        return {w * (1 / length), pdf * (1 / (4 * Pi)) * (length * length * length) * sky->invDet};
     }
 
     std::shared_ptr<const Sky> sky;

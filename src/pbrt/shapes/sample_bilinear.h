@@ -31,9 +31,9 @@ class BilinearSampler {
 
     std::optional<ShapeSample> SampleFrom(Point3f ref, Point2f u) const {
         if (const auto rectangle = Rectangle::From(patch)) {
-            const auto drawn = rectangle->SampleFrom(ref, u);
-            if (!drawn) return {};
-            return At(drawn->uv, drawn->pdf);
+            const Rectangle::Sample drawn = rectangle->SampleFrom(ref, u);
+            if (!(drawn.pdf > 0)) return {};
+            return At(drawn.uv, drawn.pdf);
         }
         return SeenFrom(SampleArea(u), ref);
     }

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "pbrt/util/vecmath.h"
+#include "pbrt/util/wide.h"
 
 namespace pbrt {
 
 /// c0 + c1 x + c2 x^2 + ... by Horner's rule.
-template <typename T, typename... Cs>
-constexpr T EvaluatePolynomial(T x, T c, Cs... rest) {
+template <typename T, typename C, typename... Cs>
+constexpr auto EvaluatePolynomial(T x, C c, Cs... rest) {
     if constexpr (sizeof...(rest) == 0)
         return c;
     else
@@ -28,27 +28,32 @@ inline float DifferenceOfProducts(float a, float b, float c, float d) {
     return std::fma(a, b, -cd) + error;
 }
 
-struct SinCos {
-    float sin, cos;
+template <AnyFloat T>
+struct SinCosT {
+    T sin, cos;
 };
+using SinCos = SinCosT<float>;
 
 /// Sine and cosine of r quarter turns, |r| <= 1/2. Absolute error below 1.5e-7. By hand because
 /// sampling warps know their quadrant and need no more: a third of the time of sinf and cosf.
 /// Polynomials in r^2: own minimax fit.
-inline SinCos SinCosQuarters(float r) {
-    const float s = r * r;
+template <AnyFloat T>
+inline SinCosT<T> SinCosQuarters(T r) {
+    const T s = r * r;
     return {
         r * EvaluatePolynomial(s, 1.57079632f, -0.645963479f, 0.0796802281f, -0.00460217700f),
         1 + s * EvaluatePolynomial(s, -1.23370055f, 0.253669410f, -0.0208615297f, 0.000906743541f)};
 }
 
 /// Sine and cosine of `turns` times 2 pi, |turns| <= 2^20; error as above: the reduction is exact.
-inline SinCos SinCosTurns(float turns) {
-    const float quarter = std::floor(4 * turns + 0.5f);
-    const auto [sin, cos] = SinCosQuarters(4 * turns - quarter);
-    const int q = int(quarter);
-    const float sinPart = (q & 1) ? cos : sin, cosPart = (q & 1) ? sin : cos;
-    return {(q & 2) ? -sinPart : sinPart, ((q + 1) & 2) ? -cosPart : cosPart};
+template <AnyFloat T>
+inline SinCosT<T> SinCosTurns(T turns) {
+    const T quarter = Floor(4 * turns + 0.5f);
+    const SinCosT<T> part = SinCosQuarters(T(4 * turns - quarter));
+    const auto q = ToInt(quarter);
+    const auto swapped = (q & 1) != 0;
+    const T sin = Select(swapped, part.cos, part.sin), cos = Select(swapped, part.sin, part.cos);
+    return {Select((q & 2) != 0, -sin, sin), Select(((q + 1) & 2) != 0, -cos, cos)};
 }
 
 /// Bits 0 to 15 of x moved to the even places.

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "pbrt/util/check.h"
-#include "pbrt/util/vecmath.h"
+#include "pbrt/util/wide.h"
 
 namespace pbrt {
 
@@ -35,14 +35,35 @@ inline int FindStep(std::span<const float> cdf, float u) {
     return std::clamp(int(above - cdf.begin()) - 1, 0, int(cdf.size()) - 2);
 }
 
-/// Where in step i the number u falls, 0 to 1.
+/// The same in cdfs of `size` steps that start at from[start].
+inline WideUint FindStep(const float *from, WideUint start, uint32_t size, WideFloat u) {
+    WideUint step{};
+    for (uint32_t stride = std::bit_floor(size); stride > 0; stride /= 2) {
+        // Beyond the end lies the cdf's last value, 1: above u.
+        const WideUint next = Select(step + stride < size, step + stride, WideUint{} + size);
+        step = Select(Gather(from, start + next) <= u, next, step);
+    }
+    return step;
+}
+
+/// Where between two successive values of a cdf the number u falls, 0 to 1.
+template <AnyFloat T>
+inline T PlaceInStep(T low, T high, T u) {
+    const T width = high - low;
+    return Select(width > 0, (u - low) / width, 0.f);
+}
 inline float PlaceInStep(std::span<const float> cdf, int i, float u) {
-    const float width = cdf[size_t(i) + 1] - cdf[size_t(i)];
-    return width > 0 ? (u - cdf[size_t(i)]) / width : 0;
+    return PlaceInStep(cdf[size_t(i)], cdf[size_t(i) + 1], u);
+}
+inline WideFloat PlaceInStep(const float *from, WideUint at, WideFloat u) {
+    return PlaceInStep(Gather(from, at), Gather(from, at + 1), u);
 }
 
 inline int StepAt(float x, int n) {
     return std::clamp(int(x * float(n)), 0, n - 1);
+}
+inline WideUint StepAt(WideFloat x, int n) {
+    return Truncate(Clamp(x * float(n), 0.f, float(n - 1)));
 }
 
 /// The cdf at x in [0, 1].
@@ -75,6 +96,16 @@ class PiecewiseConstant1D {
         const int i = detail::FindStep(cdf, u);
         const float x = (float(i) + detail::PlaceInStep(cdf, i, u)) / float(Size());
         return {std::min(x, OneMinusEpsilon), density[size_t(i)], i};
+    }
+    /// Sixteen of Sample.
+    struct Samples {
+        WideFloat x;
+        WideUint step;
+    };
+    Samples Draw(WideFloat u) const {
+        const WideUint i = detail::FindStep(cdf.data(), WideUint{}, uint32_t(Size()), u);
+        const WideFloat x = (ToFloat(i) + detail::PlaceInStep(cdf.data(), i, u)) / float(Size());
+        return {Min(x, OneMinusEpsilon), i};
     }
     float PDF(float x) const { return density[size_t(detail::StepAt(x, Size()))]; }
     /// The u that Draw turns into x.
@@ -110,6 +141,23 @@ class PiecewiseConstant2D {
         const float x = (float(i) + detail::PlaceInStep(cdf, i, u.x)) / float(nu);
         return {{std::min(x, OneMinusEpsilon), row.x}, Density(i, row.step), {i, row.step}};
     }
+    /// Sixteen of Sample.
+    struct Samples {
+        WidePoint2f p;
+        WideFloat pdf;
+        WideUint column, row;
+    };
+    Samples Draw(WidePoint2f u) const {
+        const PiecewiseConstant1D::Samples row = rows.Draw(u.y);
+        const WideUint start = row.step * uint32_t(nu + 1);
+        const WideUint i = detail::FindStep(cdfs.data(), start, uint32_t(nu), u.x);
+        const WideFloat x =
+            (ToFloat(i) + detail::PlaceInStep(cdfs.data(), start + i, u.x)) / float(nu);
+        return {{Min(x, OneMinusEpsilon), row.x}, Density(i, row.step), i, row.step};
+    }
+    WideFloat PDF(WidePoint2f p) const {
+        return Density(detail::StepAt(p.x, nu), detail::StepAt(p.y, nv));
+    }
     float PDF(Point2f p) const { return Density(detail::StepAt(p.x, nu), detail::StepAt(p.y, nv)); }
     /// The u that Draw turns into p.
     Point2f Invert(Point2f p) const {
@@ -125,6 +173,9 @@ class PiecewiseConstant2D {
     }
     float Density(int column, int row) const {
         return density[size_t(row) * size_t(nu) + size_t(column)];
+    }
+    WideFloat Density(WideUint column, WideUint row) const {
+        return Gather(density.data(), row * uint32_t(nu) + column);
     }
 
     int nu = 0, nv = 0;

@@ -8,7 +8,7 @@
 namespace pbrt {
 
 // Warps of uniform numbers u in [0, 1) and their densities. Directions are about +z, densities per
-// unit solid angle, area or length; each Invert undoes its Sample.
+// unit solid angle, area or length; each Invert undoes its Sample. T: float or WideFloat.
 
 /// Index drawn with probability proportional to `weights` (none negative, not all 0), its
 /// probability, and what is left of u. For a handful of weights; many: AliasTable.
@@ -34,14 +34,23 @@ inline DiscreteSample SampleDiscrete(std::span<const float> weights, float u) {
     return {last, weights[size_t(last)] / sum, OneMinusEpsilon};
 }
 
+/// Weight of a sample drawn with density f where another way has density g (Veach 1997).
+template <AnyFloat T>
+inline T PowerHeuristic(T f, T g) {
+    // Beyond 1e18 squares overflow.
+    return Select(f > 1e18f, 1.f, f * f / (f * f + g * g));
+}
+
 /// Unit disk, area-preserving and continuous (Shirley and Chiu 1997).
-inline Point2f SampleUniformDiskConcentric(Point2f u) {
-    const float a = 2 * u.x - 1, b = 2 * u.y - 1;
-    const bool wide = std::abs(a) > std::abs(b);
-    const float r = wide ? a : b, other = wide ? b : a;
+template <AnyFloat T>
+inline Vec2<T> SampleUniformDiskConcentric(Vec2<T> u) {
+    const T a = 2 * u.x - 1, b = 2 * u.y - 1;
+    const auto wide = Abs(a) > Abs(b);
+    const T r = Select(wide, a, b), other = Select(wide, b, a);
     // An eighth of a turn each side of the axis along r.
-    const SinCos angle = SinCosQuarters(r == 0 ? 0 : 0.5f * other / r);
-    return wide ? Point2f{r * angle.cos, r * angle.sin} : Point2f{r * angle.sin, r * angle.cos};
+    const SinCosT<T> angle = SinCosQuarters(T(0.5f * Select(r == 0, other, other / r)));
+    const T cos = r * angle.cos, sin = r * angle.sin;
+    return {Select(wide, cos, sin), Select(wide, sin, cos)};
 }
 inline Point2f InvertUniformDiskConcentric(Point2f p) {
     const bool wide = std::abs(p.x) > std::abs(p.y);
@@ -52,11 +61,13 @@ inline Point2f InvertUniformDiskConcentric(Point2f p) {
     return {(a + 1) / 2, (b + 1) / 2};
 }
 
-inline Vector3f SampleCosineHemisphere(Point2f u) {
-    const Point2f d = SampleUniformDiskConcentric(u);
+template <AnyFloat T>
+inline Vec3<T> SampleCosineHemisphere(Vec2<T> u) {
+    const Vec2<T> d = SampleUniformDiskConcentric(u);
     return {d.x, d.y, SafeSqrt(1 - d.x * d.x - d.y * d.y)};
 }
-inline float CosineHemispherePDF(float cosTheta) {
+template <AnyFloat T>
+inline T CosineHemispherePDF(T cosTheta) {
     return cosTheta * InvPi;
 }
 inline Point2f InvertCosineHemisphere(Vector3f w) {

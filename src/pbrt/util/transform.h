@@ -55,7 +55,9 @@ class Transform {
         const float w = m[3][0] * p.x + m[3][1] * p.y + m[3][2] * p.z + m[3][3];
         return w == 1 ? Point3f{x, y, z} : Point3f{x / w, y / w, z / w};
     }
-    Vector3f Vector(Vector3f v) const {
+    Vector3f Vector(Vector3f v) const { return Vector<float>(v); }
+    template <typename T>
+    Vec3<T> Vector(Vec3<T> v) const {
         return {m[0][0] * v.x + m[0][1] * v.y + m[0][2] * v.z,
                 m[1][0] * v.x + m[1][1] * v.y + m[1][2] * v.z,
                 m[2][0] * v.x + m[2][1] * v.y + m[2][2] * v.z};

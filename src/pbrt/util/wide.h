@@ -61,6 +61,10 @@ using IntOf = std::conditional_t<IsWideTrait<T>::value, WideInt, int>;
 template <typename T>
 inline constexpr bool IsWide = IsWideTrait<T>::value;
 
+/// float or WideFloat.
+template <typename T>
+concept AnyFloat = std::is_same_v<T, float> || std::is_same_v<T, WideFloat>;
+
 // The same names for one float, so that templates can use them.
 inline float Select(bool condition, float a, float b) {
     return condition ? a : b;
@@ -93,6 +97,9 @@ inline float CopySign(float size, float sign) {
 inline uint32_t Truncate(float a) {
     return uint32_t(int32_t(a));
 }
+inline int ToInt(float a) {
+    return int(a);
+}
 inline bool Any(bool condition) {
     return condition;
 }
@@ -102,6 +109,9 @@ inline bool All(bool condition) {
 
 inline WideFloat Broadcast16(float x) {
     return WideFloat{} + x;
+}
+inline Vec3<WideFloat> Broadcast16(Vector3f v) {
+    return {Broadcast16(v.x), Broadcast16(v.y), Broadcast16(v.z)};
 }
 inline WideUint Broadcast16(uint32_t x) {
     return WideUint{} + x;
@@ -169,6 +179,9 @@ inline WideFloat Max(WideFloat a, WideFloat b) {
 }
 inline WideFloat Max(WideFloat a, float b) {
     return Max(a, Broadcast16(b));
+}
+inline WideInt ToInt(WideFloat a) {
+    return __builtin_convertvector(a, WideInt);
 }
 inline WideUint Truncate(WideFloat a) {
     return std::bit_cast<WideUint>(__builtin_convertvector(a, WideInt));
@@ -340,6 +353,9 @@ inline void SetLane(WideFrame *frame, int i, const Frame &value) {
     SetLane(&frame->x, i, value.x);
     SetLane(&frame->y, i, value.y);
     SetLane(&frame->z, i, value.z);
+}
+inline void SetLane(WideFloat *v, int i, float value) {
+    (*v)[i] = value;
 }
 inline void SetLane(Vec2<WideFloat> *v, int i, Point2f value) {
     v->x[i] = value.x, v->y[i] = value.y;
