@@ -97,5 +97,30 @@ TEST(Balls, AreMetWhereSpheresAreMet) {
     EXPECT_EQ(differ, 0);
 }
 
+/// Where the way to the closest approach is 0, of either sign.
+TEST(Balls, AreMetFromTheirCenterAndAcrossTheirRadius) {
+    const Point3f center{3, -2, 0.5f};
+    std::vector<Geometry> geometries(1);
+    geometries[0].shape = Sphere{Transform::Translate(center), 2, -2, 2};
+    const Accel accel(geometries, 1, {}, {}, 1);
+    const Vector3f axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    for (int k = 0; k < 6; ++k) {
+        const Vector3f d = k < 3 ? axes[k] : -axes[k - 3];
+        RayPacket rays;
+        for (int i = 0; i < kWide; ++i)
+            rays.Set(i, {center + (0.5f * (i % 4)) * axes[(k + 1) % 3], d});
+        HitPacket met;
+        EXPECT_EQ(accel.Intersect(rays, kAllLanes, &met, Coherence::Alike), kAllLanes);
+        for (int i = 0; i < kWide; ++i) {
+            Hit single;
+            const bool hit = accel.Intersect(rays.At(i), &single);
+            const float expected = std::sqrt(4 - Sqr(0.5f * (i % 4)));
+            EXPECT_TRUE(hit);
+            EXPECT_FLOAT_EQ(single.t, expected);
+            EXPECT_FLOAT_EQ(met.t[i], expected);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace pbrt

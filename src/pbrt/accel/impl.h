@@ -33,8 +33,8 @@ struct Accel::Impl {
     void Count(uint32_t first, uint32_t last);
     /// Whether rays of one octant should be traced as coherent ones.
     bool IsSmall() const { return nUser <= 500 && nOther <= 100; }
-    /// Whether lanes of incoherent packets had better be traced one by one: where callbacks are,
-    /// Embree takes all rays through the tree together.
+    /// Whether lanes of incoherent packets had better be traced one by one: measured on rooms full
+    /// of spheres, where packets lose from there on.
     bool IntersectsSingly() const { return nUser > 1000; }
     bool OccludesSingly() const { return nUser > 3000; }
     RTCScene NewScene(uint32_t first, uint32_t last, uint32_t quadricsId);
