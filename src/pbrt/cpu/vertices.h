@@ -149,7 +149,7 @@ class Vertices {
     /// Probabilities of the lights chosen; samples of them.
     WideFloat ChooseLights(const WideLightSampleContext &ctx, LightLiSamples *samples) const {
         WideFloat pmf = Broadcast16(1.f);
-        std::array<const Light *, kWide> lights{};
+        LightLanes lights{};
         if (const auto only = world.lightSampler.OnlyLight()) {
             lights.fill(&world.lights[size_t(*only)]);
         } else {
@@ -160,8 +160,9 @@ class Vertices {
                 lights[size_t(i)] = &world.lights[size_t(chosen->light)];
             });
         }
-        std::array<const SampledWavelengths *, kWide> lambda{};
-        ForEachLane(nonSpecular, [&](int i) { lambda[size_t(i)] = &batch.lambda[Slot(i)]; });
+        WavelengthLanes lambda;
+        for (int i = 0; i < kWide; ++i)
+            lambda[size_t(i)] = &batch.lambda[Slot(i)];
         SampleLi(lights, ctx, numbers.lightPoint, lambda, nonSpecular, samples);
         return pmf;
     }
@@ -195,9 +196,9 @@ class Vertices {
         path.depth = Select(straight, path.depth, path.depth + 1u);
     }
 
-    /// Russian roulette, from the second bounce on, where a path's importance falls below 2/3. At 1,
-    /// as is usual, a picture takes 4 % (hair) to 20 % less time, but has 1.2 (a mesh under a sky)
-    /// to 1.4 times the squared error; at 1/2 and below nothing more is gained.
+    /// Russian roulette, from the second bounce on, where a path's importance falls below 2/3. At
+    /// 1, as is usual, a picture takes 4 % (hair) to 20 % less time, but has 1.2 (a mesh under a
+    /// sky) to 1.4 times the squared error; at 1/2 and below nothing more is gained.
     static constexpr float kSafeImportance = 2.f / 3;
     void Survive() {
         ForEachLane(lanes, [&](int i) {
