@@ -17,6 +17,12 @@ def timed(function):
     return result, time.perf_counter() - start
 
 
+def peak_bytes():
+    """Largest resident set; from /proc, for getrusage counts what the parent held, too."""
+    with open("/proc/self/status") as file:
+        return next(int(line.split()[1]) for line in file if line.startswith("VmHWM")) * 1024
+
+
 def main():
     variant, file, threads, spp, seed, picture = sys.argv[1:]
     mitsuba.set_variant(variant)
@@ -33,7 +39,7 @@ def main():
     pixels, seconds = timed(lambda: render(int(spp)))
     np.save(picture, pixels[:, ::-1])  # its camera looks along a left-handed frame: mirrored
     print(json.dumps({"load": load, "warm_up": warm_up, "render": seconds,
-                      "version": mitsuba.__version__}))
+                      "peak": peak_bytes()}))
 
 
 if __name__ == "__main__":

@@ -2,7 +2,6 @@
 
 import dataclasses
 import json
-import os
 import pathlib
 import subprocess
 import sys
@@ -27,28 +26,19 @@ class Run:
     rays: int = 0
     traversal: int = 0
     warm_up: float = 0.0
+    parse: float = 0.0  # part of load: reading the scene's text
 
 
 class Failed(RuntimeError):
     """A renderer ended with an error or was killed."""
 
 
-def child(command, environment=None):
-    """Runs a command; its standard output and the peak resident bytes of that process."""
-    with tempfile.TemporaryFile() as out:
-        process = subprocess.Popen([str(c) for c in command], stdout=out,
-                                   env={**os.environ, **(environment or {})})
-        try:
-            _, status, usage = os.wait4(process.pid, 0)
-        except BaseException:
-            process.kill()
-            raise
-        process.returncode = os.waitstatus_to_exitcode(status)
-        out.seek(0)
-        text = out.read().decode()
-    if process.returncode != 0:
-        raise Failed(f"{' '.join(str(c) for c in command)}: exit code {process.returncode}")
-    return text, usage.ru_maxrss * 1024
+def child(command):
+    """Runs a command; its standard output."""
+    done = subprocess.run([str(c) for c in command], stdout=subprocess.PIPE, text=True, check=False)
+    if done.returncode != 0:
+        raise Failed(f"{' '.join(str(c) for c in command)}: exit code {done.returncode}")
+    return done.stdout
 
 
 def read_exr(path):
@@ -65,10 +55,11 @@ def pbrt(scene, threads, spp, seed, options=()):
         picture, stats = f"{folder}/picture.exr", f"{folder}/stats.json"
         command = [BIN / "pbrt", scene, "--quiet", "--nthreads", threads, "--seed", seed,
                    "--outfile", picture, "--stats-file", stats, *options]
-        _, peak = child(command + (["--spp", spp] if spp else []))
+        child(command + ["--spp", spp])
         s = json.loads(pathlib.Path(stats).read_text())
-        return Run(s["parseSeconds"] + s["buildSeconds"], s["renderSeconds"], peak,
-                   read_exr(picture), s["closestHitRays"] + s["shadowRays"], s["traversalBytes"])
+        return Run(s["parseSeconds"] + s["buildSeconds"], s["renderSeconds"], s["peakBytes"],
+                   read_exr(picture), rays=s["closestHitRays"] + s["shadowRays"],
+                   traversal=s["traversalBytes"], parse=s["parseSeconds"])
 
 
 def mitsuba(variant, scene, threads, spp, seed):
@@ -80,21 +71,21 @@ def mitsuba(variant, scene, threads, spp, seed):
             command = [sys.executable, HERE / "mitsuba_once.py", variant, scene, threads, spp,
                        seed + 7919 * attempt, picture]
             try:
-                text, peak = child(command)
+                text = child(command)
             except Failed as failure:
                 print(f"  {failure}: once more with another seed", file=sys.stderr)
                 last = failure
                 continue
             s = json.loads(text.splitlines()[-1])
             pixels = np.load(picture).astype(np.float64)
-            return Run(s["load"], s["render"], peak, pixels, warm_up=s["warm_up"])
+            return Run(s["load"], s["render"], s["peak"], pixels, warm_up=s["warm_up"])
     raise last
 
 
 def bare(scene, rounds=3):
     """Million rays per second and thread of Embree alone and of this project's traversal, on the
     closest-hit rays of diffuse paths through the scene (bench_rays)."""
-    text, _ = child([BIN / "bench_rays", scene, rounds])
+    text = child([BIN / "bench_rays", scene, rounds])
     rates = {}
     for line in text.splitlines():
         if "M rays/s" in line:

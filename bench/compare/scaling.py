@@ -28,6 +28,7 @@ class Point:
     samples: int
     peak: int
     traversal: int
+    parse: float  # part of load
     mse: float = 0.0  # of two pictures against each other, halved, over the mean's square
 
     def nanoseconds(self):
@@ -43,13 +44,14 @@ def folder_bytes(folder):
     return sum(f.stat().st_size for f in folder.iterdir())
 
 
-def point(series, size, path, threads, seeds=(0, 1), spp=SPP):
+def point(series, size, path, threads, seeds=(0, 1), spp=SPP, options=()):
     """Renders a scene file once per seed; the least seconds."""
-    done = [runs.pbrt(path, threads, spp, seed) for seed in seeds]
+    done = [runs.pbrt(path, threads, spp, seed, options) for seed in seeds]
     best = min(done, key=lambda r: r.render)
     pixels = best.picture.shape[0] * best.picture.shape[1]
     result = Point(series, size, folder_bytes(path.parent), min(r.load for r in done), best.render,
-                   pixels * spp, max(r.peak for r in done), best.traversal)
+                   pixels * spp, max(r.peak for r in done), best.traversal,
+                   min(r.parse for r in done))
     if len(done) > 1:
         a, b = done[0].picture, done[1].picture
         result.mse = float(((a - b) ** 2).mean() / 2 / ((a + b).mean() / 2) ** 2)
@@ -192,14 +194,15 @@ def text_scene(path, megabytes):
 
 def parsing(folder, threads, text_megabytes, ply_triangles):
     """Reading a long scene text, and a large binary PLY: Points named by what is read."""
+    one = ["--pixel", "1,1"]
     path = write(folder, [])
     text_scene(path, text_megabytes)
-    yield point("scene text, MB", text_megabytes, path, threads, seeds=(0,), spp=1)
+    yield point("scene text, MB", text_megabytes, path, threads, (0,), 1, one)
     n = round((ply_triangles / 2) ** 0.5)
     grid = {"mesh.ply": lambda file: g.write_ply(file, *g.wavy_grid(n))}
     path = write(folder, [Mesh("mesh.ply", GREY)], files=grid)
     size = (folder / "mesh.ply").stat().st_size // 1000000
-    yield point("binary PLY, MB", size, path, threads, seeds=(0,), spp=1)
+    yield point("binary PLY, MB", size, path, threads, (0,), 1, one)
     shutil.rmtree(folder)
 
 

@@ -1,21 +1,31 @@
 #include "pbrt/cpu/statistics.h"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 namespace pbrt {
+namespace {
+
+/// 0 where the system does not tell. From /proc, for getrusage counts what the process that started
+/// this one held, too (Linux keeps the larger of the two over exec).
+int64_t PeakBytes() {
+    std::ifstream status("/proc/self/status");
+    for (std::string word; status >> word;)
+        if (int64_t kiB = 0; word == "VmHWM:" && status >> kiB) return kiB * 1024;
+    return 0;
+}
+
+}  // namespace
 
 Statistics CollectStatistics(const World &world, const RenderStats &render, double parseSeconds,
                              double buildSeconds) {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
     Statistics s;
     s.parseSeconds = parseSeconds;
     s.buildSeconds = buildSeconds;
     s.render = render;
-    s.peakBytes = int64_t(usage.ru_maxrss) * 1024;
+    s.peakBytes = PeakBytes();
     s.traversalBytes = int64_t(world.accel->MemoryBytes());
     return s;
 }

@@ -11,7 +11,7 @@ namespace pbrt {
 struct Statistics {
     double parseSeconds = 0, buildSeconds = 0;
     RenderStats render;
-    int64_t peakBytes = 0;       ///< largest resident set of the process so far
+    int64_t peakBytes = 0;       ///< largest resident set of the process so far; 0: unknown
     int64_t traversalBytes = 0;  ///< allocated by Embree
 };
 
