@@ -26,8 +26,8 @@ def arguments():
     parser.add_argument("--scenes", default=",".join(names), help="default: all of %(default)s")
     parser.add_argument("--repeats", type=int, default=3, help="runs of each (default 3)")
     parser.add_argument("--spp", type=int, default=64)
-    parser.add_argument("--reference-spp", type=int, default=1024,
-                        help="of the references, kept in build/bench (default 1024)")
+    parser.add_argument("--reference-spp", type=int, default=512,
+                        help="of the references, kept in build/bench (default 512)")
     parser.add_argument("--threads", type=int, default=len(os.sched_getaffinity(0)))
     parser.add_argument("--text-mb", type=int, default=200, help="of the long scene text")
     parser.add_argument("--ply-triangles", type=int, default=40_000_000,
@@ -48,6 +48,7 @@ def run(options, setting):
     found = Found()
     for name in options.scenes:
         found.results[name] = measure.measure(name, setting)
+        report.store(found, setting.build / "results.json")
     for name in options.scenes:
         if pictures.has_reference(name):
             found.checks[name] = pictures.check(name, setting)
@@ -63,9 +64,9 @@ def run(options, setting):
 
 def disagreements(found):
     """What does not agree, as sentences."""
-    for name, (_, agreement, _) in found.results.items():
-        if agreement and not agreement.ok:
-            yield f"{name}: the renderers' pictures differ: {agreement}"
+    for name, result in found.results.items():
+        if result.agreement and not result.agreement.ok:
+            yield f"{name}: the renderers' pictures differ: {result.agreement}"
     for name, check in found.checks.items():
         if not check.ok:
             yield f"{name}: differs from pbrt-v4's picture: {check}"
@@ -81,6 +82,7 @@ def main():
         print(report.results_page(found, setting))
     else:
         report.write(found, setting)
+        print(report.summary(found.results))
     wrong = list(disagreements(found))
     for sentence in wrong:
         print(f"Error: {sentence}", file=sys.stderr)

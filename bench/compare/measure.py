@@ -32,6 +32,16 @@ class Row:
 
 
 @dataclasses.dataclass
+class Result:
+    """Of one scene. agreement: of the renderers' references, None where there is no peer; bare: M
+    rays/s of one thread by name (runs.bare)."""
+
+    rows: list
+    agreement: object
+    bare: dict
+
+
+@dataclasses.dataclass
 class Setting:
     """What is asked for on the command line."""
 
@@ -61,22 +71,28 @@ def version(renderer):
     return importlib.metadata.version("mitsuba") if renderer.variant else "ours"
 
 
-def cached_reference(renderer, folder, name, setting):
+def reference_spp(scene, setting):
+    """Samples of the scene's reference: a multiple of the batches."""
+    share = scene.reference_share if scene else 1.0
+    return max(1, int(setting.reference_spp * share) // BATCHES) * BATCHES
+
+
+def cached_reference(renderer, folder, name, spp, setting):
     """A converged picture of this renderer, from the cache where it has one of the same scene.
     Ours is of whatever version made it: a converged picture does not depend on the sampler."""
     kind = ".xml" if renderer.variant else ".pbrt"
     text = (folder / (name + kind)).read_bytes()
     digest = hashlib.sha256(text).hexdigest()[:12]
-    key = f"{name}-{renderer.variant or 'pbrt'}-{version(renderer)}-{setting.reference_spp}-{digest}"
+    key = f"{name}-{renderer.variant or 'pbrt'}-{version(renderer)}-{spp}-{digest}"
     path = setting.build / "references" / f"{key}.npz"
-    spp = max(1, setting.reference_spp // BATCHES)
     if path.exists():
         with np.load(path) as file:
-            return error.Reference(file["picture"], file["variance"], spp * BATCHES)
-    print(f"  reference of {renderer.name}: {BATCHES} x {spp} samples", flush=True)
-    pictures = [renderer.render(folder, name, setting.threads, spp, 1000 + k).picture
+            return error.Reference(file["picture"], file["variance"], spp)
+    each = spp // BATCHES
+    print(f"  reference of {renderer.name}: {BATCHES} x {each} samples", flush=True)
+    pictures = [renderer.render(folder, name, setting.threads, each, 1000 + k).picture
                 for k in range(BATCHES)]
-    ref = error.reference(pictures, spp)
+    ref = error.reference(pictures, each)
     path.parent.mkdir(parents=True, exist_ok=True)
     np.savez(path, picture=ref.picture.astype(np.float32), variance=ref.variance.astype(np.float32))
     return ref
@@ -101,29 +117,35 @@ def alternate(renderers, folder, name, setting):
     done = {r: [] for r in renderers}
     for seed in range(setting.repeats):
         for renderer in renderers:
-            if renderer == runs.SCALAR and seed > 0:
+            if renderer not in done or (renderer == runs.SCALAR and seed > 0):
                 continue
-            run = renderer.render(folder, name, setting.threads, setting.spp, seed)
+            try:
+                run = renderer.render(folder, name, setting.threads, setting.spp, seed)
+            except runs.Failed as failure:
+                if renderer == runs.OURS:
+                    raise
+                print(f"  {renderer.name} is left out: {failure}", flush=True)
+                done.pop(renderer)
+                continue
             print(f"  {renderer.name}: load {run.load:.2f} s, render {run.render:.2f} s", flush=True)
             done[renderer].append(run)
     return done
 
 
 def measure(name, setting):
-    """Rows of one scene, the agreement with Mitsuba (or None), and bare Embree's rates."""
+    """What was found on one scene; a peer that fails is left out with a word."""
     print(name, flush=True)
     folder, scene = prepare(name, setting)
     peers = [runs.LLVM] * setting.llvm + [runs.SCALAR] * setting.scalar
     renderers = [runs.OURS] + (peers if scene else [])
     done = alternate(renderers, folder, name, setting)
-    compared = [r for r in renderers if r != runs.SCALAR or not setting.llvm]
-    refs = {r: cached_reference(r, folder, name, setting) for r in compared}
-    rows = []
-    for renderer in renderers:
-        # Both variants of Mitsuba converge to the same picture.
-        ref = refs.get(renderer) or refs[runs.LLVM]
-        rows.append(with_errors(row(renderer, done[renderer]), done[renderer], ref, setting.spp))
+    # Both variants of Mitsuba converge to the same picture: one reference serves both.
+    compared = [r for r in done if r != runs.SCALAR or runs.LLVM not in done]
+    spp = reference_spp(scene, setting)
+    refs = {r: cached_reference(r, folder, name, spp, setting) for r in compared}
+    rows = [with_errors(row(r, done[r]), done[r], refs.get(r) or refs[compared[-1]], setting.spp)
+            for r in done]
     agreement = None
     if len(compared) > 1:
         agreement = error.agreement(refs[compared[0]], refs[compared[1]], scene.tolerance)
-    return rows, agreement, runs.bare(folder / f"{name}.pbrt")
+    return Result(rows, agreement, runs.bare(folder / f"{name}.pbrt"))

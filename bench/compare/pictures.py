@@ -5,7 +5,7 @@ import pathlib
 from . import error, runs, scenes, write_pbrt
 
 FOLDER = pathlib.Path(__file__).resolve().parent.parent / "reference"
-SIZE, SPP, BATCHES = 100, 256, 8
+SIZE, SPP, BATCHES = 100, 128, 8
 
 
 def has_reference(name):
@@ -13,8 +13,8 @@ def has_reference(name):
 
 
 def their_reference(name):
-    """pbrt-v4's long picture (4096 samples, hair 2048) and the short one of 256 samples: half their
-    squared difference bounds the noise of the long one, as the mean over each block."""
+    """pbrt-v4's picture of 4096 samples (hair 2048). Its variance per pixel: the squared difference
+    from one of 256 samples, less by the ratio of the samples; right as a mean over many pixels."""
     long, short = (runs.read_exr(FOLDER / f"{name}{part}.exr") for part in ("", "-256"))
     spp = 2048 if name == "hairball" else 4096
     return error.Reference(long, (long - short) ** 2 * 256 / spp, spp)

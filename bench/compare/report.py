@@ -1,5 +1,6 @@
 """bench/RESULTS.md, its plot, and the table in README.md, from what was measured."""
 
+import dataclasses
 import datetime
 import json
 import pathlib
@@ -25,7 +26,8 @@ the runs, memory is the largest resident set. Mitsuba compiles its kernel in a p
 before the timed one; *warm-up* is what that takes when the kernel is in its cache. Both trace the
 same geometry, lights and camera to the same depth, with a box filter of one pixel, Russian roulette
 from the second bounce; ours uses the zsobol sampler, Mitsuba its independent one. `mesh-1m` has a
-layered `coateddiffuse` ground here, `roughplastic` there; `hair` takes the same absorption.
+layered `coateddiffuse` ground here, and there `roughplastic`, which gives some 2 % more light:
+`mesh-1m-matte` is the same with a ground that both have. Hair takes the same absorption in both.
 
 The error is the mean over the runs (each with its own seed) against a converged picture of the same
 renderer: *rel. MSE* is the mean over pixels and channels of (x - r)^2 / (r^2 + {error.EPSILON}), less
@@ -82,8 +84,18 @@ def quoted(scene, rows):
             + [""] * 6]
 
 
-def comparison(scene, result):
-    rows, agreement, bare = result
+def bare_line(bare, ours, threads):
+    """Embree alone, our traversal, and whole paths with all shading, per thread."""
+    rates = {**bare, "rendering": ours.rays_per_second * 1e-6 / threads}
+    limit = bare["rtcIntersect1 alone"]
+    parts = ", ".join(f"{name} {rate:.2f} ({100 * rate / limit:.0f} %)"
+                      for name, rate in rates.items())
+    return (f"\nBare: million rays/s of one thread, closest-hit rays of diffuse paths for all but the "
+            f"last, which counts shadow rays, too: {parts}.\n")
+
+
+def comparison(scene, result, threads):
+    rows, agreement = result.rows, result.agreement
     head = ["renderer", "load + build s", "warm-up s", "render s", "M rays/s", "peak MiB",
             "rel. MSE", "trimmed", "FLIP", "efficiency"]
     lines = [[r.renderer, number(r.load), number(r.warm_up), number(r.render),
@@ -94,14 +106,14 @@ def comparison(scene, result):
         text += (f"\nPictures: ratio of the means {agreement.ratio:.4f}; largest difference of a "
                  f"block of 20 x 20 pixels beyond 5 sigma of noise {100 * agreement.beyond_noise:.1f}"
                  f" %: {'agree' if agreement.ok else '**do not agree**'}.\n")
-    rates = ", ".join(f"{name} {rate:.2f}" for name, rate in bare.items())
-    return text + f"\nBare (closest-hit rays of diffuse paths, one thread, M rays/s): {rates}.\n"
+    return text + bare_line(result.bare, by_name(rows, runs.OURS), threads)
 
 
 def summary(results):
     head = ["scene", "seconds", "Mitsuba 3 llvm", "times faster", "times more efficient"]
     lines = []
-    for scene, (rows, _, _) in results.items():
+    for scene, result in results.items():
+        rows = result.rows
         ours, base = by_name(rows, runs.OURS), by_name(rows, runs.LLVM)
         if base:
             lines.append([scene, number(ours.render), number(base.render),
@@ -162,9 +174,10 @@ def results_page(found, setting):
         versions += f", Mitsuba {measure.version(runs.LLVM)}"
     text = (f"# Benchmark\n\nMade by `bench/run.sh` on {datetime.date.today()}: {machine()}; "
             f"{versions}; {setting.threads} threads, {setting.spp} samples a pixel, least of "
-            f"{setting.repeats} runs, references of {setting.reference_spp} samples.\n\n")
+            f"{setting.repeats} runs, references of {setting.reference_spp} samples "
+            "(hairball: half).\n\n")
     text += summary(found.results) + METHOD + "\n## Scenes\n\n"
-    text += "\n".join(comparison(s, r) for s, r in found.results.items())
+    text += "\n".join(comparison(s, r, setting.threads) for s, r in found.results.items())
     if found.checks:
         text += ("\n## Against pbrt-v4's pictures\n\nOf 100 x 100 pixels, `bench/reference/`; blocks "
                  "of 10 x 10, noise as told by two pictures.\n\n" + references(found.checks))
@@ -180,11 +193,16 @@ def fill_readme(text, content):
     return marks.sub(lambda m: m[1] + content + m[2], text)
 
 
+def store(found, path):
+    """Everything measured, as JSON."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(json.dumps(dataclasses.asdict(found), indent=1) + "\n")
+
+
 def write(found, setting):
     (HERE / "RESULTS.md").write_text(results_page(found, setting))
+    store(found, HERE / "results" / "results.json")
     if found.points:
         plot(found.points, HERE / "results" / "scaling.svg")
     readme = runs.ROOT / "README.md"
     readme.write_text(fill_readme(readme.read_text(), summary(found.results)))
-    print(json.dumps({s: [r.renderer + f" {r.render:.2f} s" for r in rows]
-                      for s, (rows, _, _) in found.results.items()}, indent=1))

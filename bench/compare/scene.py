@@ -106,6 +106,7 @@ class Scene:
     resolution: int = 400
     depth: int = 8
     tolerance: float = 0.02  # largest systematic difference between renderers, of a block's mean
+    reference_share: float = 1.0  # of the samples asked for; less where a picture takes long
     files: dict = dataclasses.field(default_factory=dict)  # name: function(path) that writes it
 
     def write_files(self, folder: pathlib.Path):
