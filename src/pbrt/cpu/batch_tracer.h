@@ -148,7 +148,10 @@ class BatchTracer {
         WideUint at;
         for (int i = 0; i < kWide; ++i)
             at[i] = from[std::min(i, count - 1)];
-        if (kind == 0) return LeaveScene(at, count);
+        if (kind == 0) {
+            if (world.infiniteLights.empty()) return;
+            return AddLightFromInfinity(world, paths.queue->At(at), FirstLanes(count), &paths);
+        }
         const WideUint slot = paths.queue->SlotsAt(at);
         const WideUint pixel = Gather(&paths.pixel[0], slot), k = Gather(&paths.sample[0], slot);
         ForType(kind - 1, [&]<typename M, bool kPlain>() {
@@ -171,15 +174,6 @@ class BatchTracer {
     static void ForType(size_t kind, const F &f) {
         ForType(kind, f, std::make_index_sequence<2 * kTypes>());
     }
-    void LeaveScene(const WideUint &at, int count) {
-        if (world.infiniteLights.empty()) return;
-        const PathLanes path = paths.queue->At(at);
-        for (int i = 0; i < count; ++i) {
-            const uint32_t slot = path.slot[i];
-            paths.L[slot] += LightFromInfinity(world, path.At(i), paths.lambda[slot]);
-        }
-    }
-
     void TraceShadows() {
         ShadowQueue &shadows = paths.shadows;
         rays->shadow += shadows.Size();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pbrt/cpu/path_state.h"
+#include "pbrt/cpu/path_batch.h"
 #include "pbrt/cpu/world.h"
 #include "pbrt/util/sampling.h"
 
@@ -20,19 +20,32 @@ inline float WeightOfFound(const World &world, const PathState &path, float ligh
     }
 }
 
-/// What the path gains where its ray leaves the scene.
-inline SampledSpectrum LightFromInfinity(const World &world, const PathState &path,
-                                         const SampledWavelengths &lambda) {
-    SampledSpectrum sum(0);
-    for (int i : world.infiniteLights) {
-        const Light &light = world.lights[size_t(i)];
-        float lightPDF = 0;
-        if (path.bsdfPDF != 0)
-            lightPDF =
-                world.lightSampler.PMF(path.previous, i) * PDF_Li(light, path.previous, path.ray.d);
-        sum += Le(light, path.ray, lambda) * WeightOfFound(world, path, lightPDF);
+/// What a path gains of the infinite light number `index` where its ray leaves the scene: Le times
+/// its weight, `density` being that of the light's own sampling.
+inline SampledSpectrum LightFromInfinity(const World &world, const PathState &path, int index,
+                                         SampledSpectrum Le, float density) {
+    float lightPDF = 0;
+    if (path.bsdfPDF != 0 && density != 0)
+        lightPDF = world.lightSampler.PMF(path.previous, index) * density;
+    return path.beta * Le * WeightOfFound(world, path, lightPDF);
+}
+
+/// Adds that of all infinite lights to batch.L, for the given lanes.
+inline void AddLightFromInfinity(const World &world, const PathLanes &paths, LaneBits lanes,
+                                 PathBatch *batch) {
+    for (int index : world.infiniteLights) {
+        const Light &light = world.lights[size_t(index)];
+        const auto *const image = std::get_if<ImageInfiniteLight>(&light);
+        const auto place = image ? image->Along(paths.d) : ImageInfiniteLight::Place<WideFloat>();
+        ForEachLane(lanes, [&](int i) {
+            const SampledWavelengths &lambda = batch->lambda[paths.slot[i]];
+            const PathState path = paths.At(i);
+            const SampledSpectrum Le = image ? image->RadianceAt(Lane(place.p, i), lambda)
+                                             : pbrt::Le(light, path.ray, lambda);
+            batch->L[paths.slot[i]] +=
+                LightFromInfinity(world, path, index, Le, image ? place.pdf[i] : 0);
+        });
     }
-    return path.beta * sum;
 }
 
 /// What the path gains where its ray meets an emissive surface.

@@ -53,17 +53,28 @@ struct ImageInfiniteLight {
             samples->valid |= LaneBits(bool(L)) << i;
         });
     }
-    /// T: float or WideFloat.
+    /// What the picture has in a direction. T: float or WideFloat.
+    template <typename T>
+    struct Place {
+        Vec2<T> p;  ///< in the square
+        T pdf;      ///< of SampleLi
+    };
     template <AnyFloat T>
-    T PDF_Li(Vec3<T> wi) const {
-        const Vec3<T> w = sky->lightFromRender.Vector(wi);
+    Place<T> Along(Vec3<T> d) const {
+        const Vec3<T> w = sky->lightFromRender.Vector(d);
         const T invLength = 1 / Length(w);
         const Vec2<T> p = EqualAreaSphereToSquare(Vec3<T>(w * invLength));
-        return sky->directions.PDF(p) * (1 / (4 * Pi)) * Sqr(invLength) * invLength * sky->invDet;
+        return {p,
+                sky->directions.PDF(p) * (1 / (4 * Pi)) * Sqr(invLength) * invLength * sky->invDet};
+    }
+    template <AnyFloat T>
+    T PDF_Li(Vec3<T> wi) const {
+        return Along(wi).pdf;
     }
     SampledSpectrum Le(Vector3f d, const SampledWavelengths &lambda) const {
-        const Vector3f w = sky->lightFromRender.Vector(d);
-        const Point2f p = EqualAreaSphereToSquare(w * (1 / Length(w)));
+        return RadianceAt(Along(d).p, lambda);
+    }
+    SampledSpectrum RadianceAt(Point2f p, const SampledWavelengths &lambda) const {
         const int n = sky->resolution;
         return Radiance({detail::StepAt(p.x, n), detail::StepAt(p.y, n)}, lambda);
     }
