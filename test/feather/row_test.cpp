@@ -44,9 +44,10 @@ TEST(Row, SeesWhatTracingSees) {
         const Planar<double> w = InPlane(dice.Uniform(-180, 180));
         const RowView<double> seen = RowOf<double>(s).SeenFrom(w);
         for (int i = 0; i < 40; ++i, ++points) {
-            const double q = dice.Uniform(-1, 1);
-            const bool inside = q >= seen.lower && q <= seen.upper;
-            const double edge = std::min(std::abs(q - seen.lower), std::abs(q - seen.upper));
+            const double q = dice.Uniform(-1, 1), lower = seen.lower / seen.reach,
+                         upper = seen.upper / seen.reach;
+            const bool inside = q >= lower && q <= upper;
+            const double edge = std::min(std::abs(q - lower), std::abs(q - upper));
             if (edge > 1e-9 && inside != SeenByTracing(s, w, q)) ++wrong;
         }
     }
@@ -60,8 +61,8 @@ TEST(Row, GapAndVisibleAreAll) {
         const RowView<double> seen = RowOf<double>(s).SeenFrom(InPlane(dice.Uniform(-180, 180)));
         EXPECT_NEAR(seen.Gap() + (seen.upper - seen.lower) / seen.shift, 1, 1e-11) << s;
         EXPECT_LE(seen.lower, seen.upper);
-        EXPECT_GE(seen.lower, -1 - 1e-12);
-        EXPECT_LE(seen.upper, 1 + 1e-12);
+        EXPECT_GE(seen.lower, -seen.reach * (1 + 1e-12));
+        EXPECT_LE(seen.upper, seen.reach * (1 + 1e-12));
     }
 }
 
@@ -84,7 +85,8 @@ TEST(Row, OpensWhereTheGapBegins) {
         const Row<double> row = RowOf<double>(dice.AnyShape());
         const Planar<double> w = InPlane(dice.Uniform(-180, 180));
         const Interval<double> range = row.Open(std::abs(w.x), w.n * w.x);
-        const double n = std::abs(w.n), shift = row.SeenFrom(w).shift;
+        const RowView<double> seen = row.SeenFrom(w);
+        const double n = std::abs(w.n), shift = seen.shift / seen.reach;
         if (std::abs(shift - 2) < 1e-9) continue;
         EXPECT_EQ(n > range.lo && n<range.hi, shift> 2);
         open += shift > 2;

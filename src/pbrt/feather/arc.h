@@ -26,14 +26,16 @@ struct Arc {
         return {middle, std::max(T(0), Cross(middle, to)) / (1 + Dot(middle, to))};
     }
 
+    template <class V>
     struct Node {
-        Planar<T> point;
-        T rate;  ///< d angle / dx
+        Planar<V> point;
+        V rate;  ///< d angle / dx
     };
 
-    [[gnu::always_inline]] Node At(T x) const {
-        const T t = tangent * x, scale = 1 / (1 + t * t);
-        const T along = (1 - t * t) * scale, across = 2 * t * scale;
+    template <class V>
+    [[gnu::always_inline]] Node<V> At(const V &x) const {
+        const V t = tangent * x, scale = 1 / (1 + t * t);
+        const V along = (1 - t * t) * scale, across = 2 * t * scale;
         return {{along * middle.n - across * middle.x, along * middle.x + across * middle.n},
                 2 * tangent * scale};
     }

@@ -12,6 +12,7 @@
 #include "direction.h"
 #include "facets.h"
 #include "gap.h"
+#include "pack.h"
 #include "params.h"
 #include "pigment_fast.h"
 #include "row.h"
@@ -67,17 +68,27 @@ class Barbule {
     }
 
     /// Reflection off the film, with interference.
-    Spectrum R(const View<T> &view, Direction<T> wi) const { return Reflected(view.wo, wi); }
+    Spectrum R(const View<T> &view, const Direction<T> &wi) const {
+        const Direction<T> wo = view.wo;  // a reference to it would keep all of the view alive
+        Spectrum sum{};
+        AddReflected(wo, wi, &sum);
+        return sum;
+    }
 
     /// In through the film, off the melanin, out through the film.
-    Spectrum TRT(const View<T> &view, Direction<T> wi) const { return Returned(view.wo, wi); }
+    Spectrum TRT(const View<T> &view, const Direction<T> &wi) const {
+        const Direction<T> wo = view.wo;
+        Spectrum sum;
+        SetReturned(wo, wi, &sum);
+        return sum;
+    }
 
     /// R + TRT; the gap is a delta and not in f.
-    Spectrum f(const View<T> &view, Direction<T> wi) const {
-        Spectrum sum = R(view, wi);
-        const Spectrum pigment = TRT(view, wi);
-        for (int i = 0; i < N; ++i)
-            sum[i] += pigment[i];
+    Spectrum f(const View<T> &view, const Direction<T> &wi) const {
+        const Direction<T> wo = view.wo;
+        Spectrum sum;
+        SetReturned(wo, wi, &sum);
+        AddReflected(wo, wi, &sum);
         return sum;
     }
 
@@ -125,34 +136,39 @@ class Barbule {
     static constexpr T kBelowOne = 1 - std::numeric_limits<T>::epsilon() / 2;
 
     static T Finite(T x) { return std::min(x, std::numeric_limits<T>::max()); }
-    static bool Grazing(Direction<T> w) { return std::abs(w.z) < kGrazing; }
-    static bool SameSide(Direction<T> a, Direction<T> b) { return (a.z < 0) == (b.z < 0); }
+    static bool Grazing(const Direction<T> &w) { return std::abs(w.z) < kGrazing; }
+    static bool SameSide(const Direction<T> &a, const Direction<T> &b) {
+        return (a.z < 0) == (b.z < 0);
+    }
 
     // What is not inlined is compiled once: copies may round differently, and near the edge of what
     // is seen the last bit decides between 0 and all.
 
-    [[gnu::noinline]] Spectrum Reflected(Direction<T> wo, Direction<T> wi) const {
-        if (Grazing(wo) || Grazing(wi)) return {};
+    [[gnu::noinline]] void AddReflected(const Direction<T> &wo, const Direction<T> &wi,
+                                        Spectrum *sum) const {
+        if (Grazing(wo) || Grazing(wi)) return;
         const Direction<T> m = Between(wo, wi);
-        if (!bend.MayHaveNormal(m)) return {};
+        if (!bend.MayHaveNormal(m)) return;
         const T length = std::sqrt(Dot(m, m));
         const Facet<T> facet = FacetTowards(m, length);
-        if (!Sees(row, bend, wo, facet) || !Sees(row, bend, wi, facet)) return {};
-        Spectrum f;
-        const T scale = FacetDensity(row, bend, facet) / (4 * std::abs(wo.z));
+        if (!Sees(row, bend, wo, facet) || !Sees(row, bend, wi, facet)) return;
+        const T scale = FacetDensity(row, bend, facet) / (4 * std::abs(wo.z) * std::abs(wi.z));
         for (int i = 0; i < N; ++i)
-            f[i] =
-                Finite(films[i].Reflectance(std::min(length / 2, T(1))) * scale / std::abs(wi.z));
-        return f;
+            (*sum)[i] += Finite(films[i].Reflectance(std::min(length / 2, T(1))) * scale);
     }
 
-    [[gnu::noinline]] Spectrum Returned(Direction<T> wo, Direction<T> wi) const {
-        if (Grazing(wo) || Grazing(wi) || (row.Closed() && !SameSide(wo, wi))) return {};
-        Spectrum f = Quadrature::Integrate(row, bend, films, wo, wi);
-        const T scale = 1 / (std::numbers::pi_v<T> * std::abs(wo.z));
+    [[gnu::noinline]] void SetReturned(const Direction<T> &wo, const Direction<T> &wi,
+                                       Spectrum *f) const {
+        if (Grazing(wo) || Grazing(wi) || (row.Closed() && !SameSide(wo, wi))) {
+            *f = {};
+            return;
+        }
+        const T scale = 1 / (std::numbers::pi_v<T> * std::abs(wo.z) * std::abs(wi.z));
+        Spectrum integral;
+        Quadrature::Integrate(row, bend, films, wo, wi, &integral);
         for (int i = 0; i < N; ++i)
-            f[i] = Finite(melanin[i] * f[i] * scale / std::abs(wi.z));
-        return f;
+            integral[i] = Finite(melanin[i] * scale * integral[i]);
+        *f = integral;
     }
 
     /// Density of wi among the mirror directions of the facets that wo sees, 1/sr.
@@ -218,7 +234,7 @@ class Barbule {
         const Direction<T> vane{0, 0, std::copysign(T(1), wo.z)};
         if (std::abs(wo.z) < kGrazing) return vane;
         const auto [a, along] = bend.MiddleSeenFrom(wo);
-        const RowView<T> seen = row.SeenFrom({along, wo.x});
+        const RowView<T> seen = row.SeenFrom(Planar<T>{along, wo.x});
         const Planar<T> from = seen.PointAt(seen.lower), to = seen.PointAt(seen.upper);
         const Planar<T> n = row.FromAxes({to.x - from.x, row.Aspect() * (from.n - to.n)});
         return Normalized({n.x, n.n * a.sin, n.n * a.cos}, vane);

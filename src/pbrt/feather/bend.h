@@ -41,7 +41,8 @@ class Bend {
     explicit Bend(Radian<T> halfAngle)
         : opening(std::max(halfAngle.value, kLeastOpening)),
           sinOpening(std::sin(opening)),
-          cosOpening(std::cos(opening)) {}
+          cosOpening(std::cos(opening)),
+          halfTangent(sinOpening / (1 + cosOpening)) {}
 
     T Opening() const { return opening; }
     T SinOpening() const { return sinOpening; }
@@ -77,8 +78,8 @@ class Bend {
 
     /// The bend angles that both directions see, as an arc of points (cos a, sin a), if there are
     /// any; SeenFrom without trigonometric functions.
-    std::optional<Arc<T>> SeenByBoth(Direction<T> wo, Direction<T> wi) const {
-        if (SeesAll(wo) && SeesAll(wi)) return Arc<T>{{1, 0}, sinOpening / (1 + cosOpening)};
+    std::optional<Arc<T>> SeenByBoth(const Direction<T> &wo, const Direction<T> &wi) const {
+        if (SeesAll(wo) && SeesAll(wi)) return Arc<T>{{1, 0}, halfTangent};
         const Interval<Planar<T>> o = Ends(wo), i = Ends(wi);
         const Planar<T> from = o.lo.x > i.lo.x ? o.lo : i.lo, to = o.hi.x < i.hi.x ? o.hi : i.hi;
         if (!(from.x < to.x)) return {};
@@ -120,7 +121,7 @@ class Bend {
     }
 
   private:
-    bool SeesAll(Direction<T> w) const {
+    bool SeesAll(const Direction<T> &w) const {
         return std::abs(w.y) * sinOpening <= std::abs(w.z) * cosOpening;
     }
 
@@ -136,6 +137,7 @@ class Bend {
     }
 
     T opening, sinOpening, cosOpening;
+    T halfTangent;  ///< tan(opening / 2)
 };
 
 }  // namespace pbrt::feather

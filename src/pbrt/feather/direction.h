@@ -17,20 +17,21 @@ constexpr T Dot(Direction<T> a, Direction<T> b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/// A vector in the plane across a barbule: n along the normal, x across (MODEL section 4.1).
-template <std::floating_point T>
+/// A vector in the plane across a barbule: n along the normal, x across (MODEL section 4.1). V is a
+/// scalar or a Pack: so many vectors.
+template <class V>
 struct Planar {
-    T n, x;
+    V n, x;
 };
 
-template <std::floating_point T>
-[[gnu::always_inline]] constexpr T Dot(Planar<T> a, Planar<T> b) {
+template <class V>
+[[gnu::always_inline]] constexpr V Dot(const Planar<V> &a, const Planar<V> &b) {
     return a.n * b.n + a.x * b.x;
 }
 
 /// Positive when b lies counterclockwise of a, from n towards x.
-template <std::floating_point T>
-[[gnu::always_inline]] constexpr T Cross(Planar<T> a, Planar<T> b) {
+template <class V>
+[[gnu::always_inline]] constexpr V Cross(const Planar<V> &a, const Planar<V> &b) {
     return a.n * b.x - a.x * b.n;
 }
 

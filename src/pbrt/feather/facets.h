@@ -26,7 +26,7 @@ Facet<T> FacetWithNormal(const Row<T> &row, Direction<T> m, T length) {
     const T yz = std::sqrt(m.y * m.y + m.z * m.z);
     if (!(yz > pole * length)) return {{0, 1}, {0, 0}, 0, 0};
     const T s = std::copysign(T(1), m.z), scale = 1 / length, across = 1 / yz;
-    const Planar<T> phi = row.ToAxes({s * yz * scale, m.x * scale});
+    const Planar<T> phi = row.ToAxes(Planar<T>{s * yz * scale, m.x * scale});
     const Planar<T> point{row.Aspect() * phi.n, phi.x};
     return {{s * m.y * across, std::abs(m.z) * across},
             point,

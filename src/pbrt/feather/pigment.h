@@ -16,10 +16,11 @@ namespace pbrt::feather {
 /// The points of a segment that two directions see, as eccentric angles; empty unless lo < hi.
 template <std::floating_point T>
 Interval<T> SeenFromBoth(const RowView<T> &o, const RowView<T> &i) {
-    const T angle = std::atan2(o.u.x, o.u.n);
-    const T turn = std::atan2(Cross(o.u, i.u), Dot(o.u, i.u));
-    return {angle + std::max(std::asin(o.lower), turn + std::asin(i.lower)),
-            angle + std::min(std::asin(o.upper), turn + std::asin(i.upper))};
+    const T angle = std::atan2(o.image.x, o.image.n);
+    const T turn = std::atan2(Cross(o.image, i.image), Dot(o.image, i.image));
+    const auto end = [](const RowView<T> &w, T q) { return std::asin(q / w.reach); };
+    return {angle + std::max(end(o, o.lower), turn + end(i, i.lower)),
+            angle + std::min(end(o, o.upper), turn + end(i, i.upper))};
 }
 
 /// The integral of TRT, as MODEL section 5 writes it: per wavelength, the mean over the vane of
@@ -52,7 +53,7 @@ std::array<T, N> PigmentIntegral(const Row<T> &row, const Bend<T> &bend,
             const Planar<T> point{std::cos(e), std::sin(e)};
             const T length = std::hypot(point.n, row.Aspect() * point.x);
             const auto cosine = [&](const RowView<T> &w) {
-                return std::max(T(0), row.Aspect() * w.reach * Dot(w.u, point) / length);
+                return std::max(T(0), row.Aspect() * Dot(w.image, point) / length);
             };
             const T cosO = cosine(o), cosI = cosine(i);
             const T dA = length * halfE * ruleE.weight[ke % NodesE] * halfA *
@@ -77,18 +78,22 @@ constexpr int BendNodes(T opening) {
 template <int NodesE>
 struct GaussPanel {
     template <std::floating_point T, std::size_t N>
-    static std::array<T, N> Integrate(const Row<T> &row, const Bend<T> &bend,
-                                      const std::array<Film<T>, N> &films, Direction<T> wo,
-                                      Direction<T> wi) {
+    static void Integrate(const Row<T> &row, const Bend<T> &bend,
+                          const std::array<Film<T>, N> &films, const Direction<T> &wo,
+                          const Direction<T> &wi, std::array<T, N> *integral) {
         switch (BendNodes(bend.Opening())) {
             case 2:
-                return PigmentIntegral<NodesE, 2>(row, bend, films, wo, wi);
+                *integral = PigmentIntegral<NodesE, 2>(row, bend, films, wo, wi);
+                break;
             case 3:
-                return PigmentIntegral<NodesE, 3>(row, bend, films, wo, wi);
+                *integral = PigmentIntegral<NodesE, 3>(row, bend, films, wo, wi);
+                break;
             case 4:
-                return PigmentIntegral<NodesE, 4>(row, bend, films, wo, wi);
+                *integral = PigmentIntegral<NodesE, 4>(row, bend, films, wo, wi);
+                break;
             default:
-                return PigmentIntegral<NodesE, 6>(row, bend, films, wo, wi);
+                *integral = PigmentIntegral<NodesE, 6>(row, bend, films, wo, wi);
+                break;
         }
     }
 };
@@ -97,10 +102,10 @@ struct GaussPanel {
 template <int PanelsE, int PanelsA>
 struct Converged {
     template <std::floating_point T, std::size_t N>
-    static std::array<T, N> Integrate(const Row<T> &row, const Bend<T> &bend,
-                                      const std::array<Film<T>, N> &films, Direction<T> wo,
-                                      Direction<T> wi) {
-        return PigmentIntegral<16, 8>(row, bend, films, wo, wi, PanelsE, PanelsA);
+    static void Integrate(const Row<T> &row, const Bend<T> &bend,
+                          const std::array<Film<T>, N> &films, const Direction<T> &wo,
+                          const Direction<T> &wi, std::array<T, N> *integral) {
+        *integral = PigmentIntegral<16, 8>(row, bend, films, wo, wi, PanelsE, PanelsA);
     }
 };
 

@@ -6,33 +6,40 @@
 #include <limits>
 
 #include "direction.h"
+#include "pack.h"
 #include "units.h"
 
 namespace pbrt::feather {
 
-/// What one in-plane direction w sees of a row: on every unit circle the points E with E.u > 0
-/// and q = E.t in [lower, upper], t being u turned by +90 degrees.
-template <std::floating_point T>
+/// What one in-plane direction w (or each of a Pack) sees of a row: on every unit circle the points
+/// E with E.u > 0 and q = E.t in [lower, upper] / reach, u being the unit vector along `image` and
+/// t u turned by +90 degrees. All is times `reach`, which saves dividing by it.
+template <class V>
 struct RowView {
-    Planar<T> u;     ///< unit direction of w on the circle
-    T reach;         ///< length of w's image under the affine map
-    T shift;         ///< |D|, distance between neighbouring circles across the beam
-    T lower, upper;  ///< upper - lower = min(2, shift); an end at -1 or 1 exactly is a silhouette
+    Planar<V> image;  ///< of w under the affine map
+    V reach;          ///< its length
+    V shift;          ///< |D| reach, D the distance between neighbouring circles across the beam
+    V lower, upper;   ///< an end at -reach or reach exactly is a silhouette
 
     /// Share of the beam that passes between the barbules.
-    T Gap() const { return shift > 2 ? (shift - 2) / shift : T(0); }
+    V Gap() const { return shift > 2 * reach ? (shift - 2 * reach) / shift : V(0); }
 
-    /// The point of the circle at height q across the beam, on the side that faces w.
-    [[gnu::always_inline]] Planar<T> PointAt(T q) const {
-        const T along = std::sqrt(std::max(T(0), 1 - q * q));
-        return {along * u.n - q * u.x, along * u.x + q * u.n};
+    /// reach^2 times the point of the circle at height q / reach, on the side that faces w.
+    [[gnu::always_inline]] Planar<V> ScaledPointAt(const V &q) const {
+        const V along = Sqrt(Max(V(0), (reach - q) * (reach + q)));
+        return {along * image.n - q * image.x, along * image.x + q * image.n};
+    }
+    /// The point itself, reach > 0.
+    Planar<V> PointAt(V q) const {
+        const RowView unit{{image.n / reach, image.x / reach}, 1, 0, 0, 0};
+        return unit.ScaledPointAt(q / reach);
     }
 
     /// Whether w sees the point along `e` (any length; `length` is its length).
-    bool Sees(Planar<T> e, T length) const {
-        const T q = Cross(u, e);
-        return Dot(u, e) > 0 && (lower == -1 || q >= lower * length) &&
-               (upper == 1 || q <= upper * length);
+    bool Sees(Planar<V> e, V length) const {
+        const V q = Cross(image, e);
+        return Dot(image, e) > 0 && (lower == -reach || q >= lower * length) &&
+               (upper == reach || q <= upper * length);
     }
 };
 
@@ -68,7 +75,8 @@ class Row {
     bool Closed() const { return stepSqr <= 4; }
 
     /// An in-plane vector turned into the frame of the ellipse's axes, and back.
-    [[gnu::always_inline]] Planar<T> ToAxes(Planar<T> w) const {
+    template <class V>
+    [[gnu::always_inline]] Planar<V> ToAxes(const Planar<V> &w) const {
         return {cosTilt * w.n + sinTilt * w.x, cosTilt * w.x - sinTilt * w.n};
     }
     Planar<T> FromAxes(Planar<T> w) const {
@@ -81,19 +89,18 @@ class Row {
     /// neighbours cross in a visible point when 2|D| > |v|^2 (this is |z| < G of MODEL 4.2,
     /// squared) and cut [-1, 1] at +-|D|/2 - s z sqrt(1/|v|^2 - 1/4); else the one in front hides
     /// all that it overlaps, and |D| is left at the other end.
-    [[gnu::always_inline]] RowView<T> SeenFrom(Planar<T> w) const {
-        const Planar<T> axes = ToAxes(w), image{axes.n * inverseAspect, axes.x};
-        const T reach = std::sqrt(Dot(image, image));
-        const T scale = 1 / std::max(reach, kNoReach);
-        const Planar<T> u{image.n * scale, image.x * scale};
-        const T d = stride * w.n * scale;
-        const T shift = std::abs(d), z = std::copysign(T(1), d) * Dot(step, u);
-        const T middle = -midSlope * z;
-        // Selected, not branched to: the loops over segments run in vector registers.
-        const bool whole = shift >= 2, cross = 2 * shift > stepSqr, upperHidden = z > 0;
-        const T lower = cross ? middle - shift / 2 : upperHidden ? T(-1) : 1 - shift;
-        const T upper = cross ? middle + shift / 2 : upperHidden ? shift - 1 : T(1);
-        return {u, reach, shift, whole ? T(-1) : lower, whole ? T(1) : upper};
+    template <class V = T>
+    [[gnu::always_inline]] RowView<V> SeenFrom(const Planar<V> &w) const {
+        const Planar<V> axes = ToAxes(w);
+        const V n = axes.n * inverseAspect, x = axes.x, reach = Sqrt(n * n + x * x);
+        const V d = stride * w.n, shift = Abs(d), z = SignOf(d) * (step.n * n + step.x * x);
+        const V middle = -midSlope * z, half = shift * T(0.5);
+        // Selected, not branched to: a Pack has all cases at once.
+        const auto whole = shift >= 2 * reach, cross = 2 * shift > stepSqr * reach,
+                   upperHidden = z > 0;
+        const V lower = Select(cross, middle - half, Select(upperHidden, -reach, reach - shift));
+        const V upper = Select(cross, middle + half, Select(upperHidden, shift - reach, reach));
+        return {{n, x}, reach, shift, Select(whole, -reach, lower), Select(whole, reach, upper)};
     }
 
     /// Share of the light along the in-plane direction w that passes: max(0, 1 - 2/|D|).

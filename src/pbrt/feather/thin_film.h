@@ -6,34 +6,36 @@
 #include <limits>
 #include <numbers>
 
+#include "pack.h"
 #include "units.h"
 
 namespace pbrt::feather {
 
 /// sin^2(pi turns), for any finite number of turns.
-/// float: polynomial, 3e-7 relative to the exact value of the rounded argument; written out because
+/// float: polynomial, 2e-7 relative to the exact value of the rounded argument; written out because
 /// a call to sin would keep the loop over the nodes of TRT from being vectorised.
-template <std::floating_point T>
-[[gnu::always_inline]] inline T SinSquaredPi(T turns) {
-    const T x = turns - std::rint(turns);
+template <class V>
+[[gnu::always_inline]] inline V SinSquaredPi(const V &turns) {
+    using T = ScalarOf<V>;
+    const V x = turns - Rint(turns);
     if constexpr (sizeof(T) > sizeof(float)) {
-        const T s = std::sin(std::numbers::pi_v<T> * x);
+        const V s = Sin(std::numbers::pi_v<T> * x);
         return s * s;
     } else {
-        const T y = x * x;  // minimax for sin(pi x)/x on |x| <= 1/2, 5e-9 before rounding
-        T s = T(0.077560388);
-        s = s * y + T(-0.59824210);
-        s = s * y + T(2.5500698);
-        s = s * y + T(-5.1677098);
-        s = s * y + T(3.14159274);
-        return s * s * y;
+        // Minimax for sin^2(pi x)/x^2 on |x| <= 1/2, 1.4e-8 before rounding; in pairs, for a
+        // shorter chain of operations.
+        const V y = x * x, ySqr = y * y;
+        const V low = T(-32.4696617) * y + T(9.86960411);
+        const V middle = T(-30.0985527) * y + T(42.7269287);
+        const V high = T(-3.33621097) * y + T(13.0371122);
+        return y * ((high * ySqr + middle) * ySqr + low);
     }
 }
 
 /// Power shares of the two polarisations.
-template <std::floating_point T>
+template <class V>
 struct Polarised {
-    T s, p;
+    V s, p;
 };
 
 /// The keratin film at one wavelength: a lossless layer with air on both sides.
@@ -86,16 +88,18 @@ struct Film {
     /// (T_s T_s + T_p T_p)/2 for light that comes in at one angle and leaves at another, by the
     /// squares of their cosines. One division, no branch; the phase is not reduced from grazing
     /// incidence, where light that passes counts little: 1e-6 of a turn in float.
-    [[gnu::always_inline]] T ThroughTwice(T cosineSqrIn, T cosineSqrOut) const {
-        const Terms i = AiryInline(cosineSqrIn), o = AiryInline(cosineSqrOut);
-        const T s = (i.y + i.x.s) * (o.y + o.x.s), p = (i.y + i.x.p) * (o.y + o.x.p);
+    template <class V>
+    [[gnu::always_inline]] V ThroughTwice(const V &cosineSqrIn, const V &cosineSqrOut) const {
+        const Terms<V> i = AiryInline(cosineSqrIn), o = AiryInline(cosineSqrOut);
+        const V s = (i.y + i.x.s) * (o.y + o.x.s), p = (i.y + i.x.p) * (o.y + o.x.p);
         return T(0.5) * i.y * o.y * (s + p) / (s * p);
     }
 
   private:
+    template <class V>
     struct Terms {
-        Polarised<T> x;  ///< X of either polarisation
-        T y;             ///< Y, which both share
+        Polarised<V> x;  ///< X of either polarisation
+        V y;             ///< Y, which both share
     };
 
     // At grazing incidence the fringes are as narrow as the cosine: the phase is reduced from
@@ -106,7 +110,7 @@ struct Film {
         return T(whole - std::rint(whole));
     }
 
-    Terms Airy(T cosine) const {
+    Terms<T> Airy(T cosine) const {
         const T c2 = cosine * cosine;
         const T insideSqr =
             excess + c2;  // eta^2 cos^2 in the film; eta^2 - s2 without cancellation
@@ -118,10 +122,11 @@ struct Film {
 
     // Scaled so that a product of four terms neither overflows nor, from a cosine of 1e-4 (below it
     // counts as that), underflows in float.
-    [[gnu::always_inline]] Terms AiryInline(T cosineSqr) const {
-        const T c2 = std::max(cosineSqr, T(1e-8)), insideSqr = excess + c2;
-        const T k = scaledContrast * SinSquaredPi(turns * std::sqrt(insideSqr));
-        const T brewster = c2 + c2 * invEtaSqr - invEtaSqr;
+    template <class V>
+    [[gnu::always_inline]] Terms<V> AiryInline(const V &cosineSqr) const {
+        const V c2 = Max(cosineSqr, V(T(1e-8))), insideSqr = excess + c2;
+        const V k = scaledContrast * SinSquaredPi(turns * Sqrt(insideSqr));
+        const V brewster = c2 + c2 * invEtaSqr - invEtaSqr;
         return {{k, k * brewster * brewster}, scale * c2 * insideSqr};
     }
 
