@@ -74,19 +74,6 @@ RTCGeometry NewQuads(RTCDevice device, const BilinearMesh &mesh) {
     return geometry;
 }
 
-/// Ray-facing quads per segment; see test/accel/curves_test.cpp for what they miss.
-constexpr float kQuadsPerSegment = 8;
-
-RTCGeometry NewCurves(RTCDevice device, const CurveSet &curves) {
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_FLAT_BEZIER_CURVE);
-    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT,
-                               curves.first.data(), 0, sizeof(uint32_t), curves.first.size());
-    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4,
-                               curves.points.data(), 0, sizeof(CurvePoint), curves.points.size());
-    rtcSetGeometryTessellationRate(geometry, kQuadsPerSegment);
-    return geometry;
-}
-
 }  // namespace
 
 Accel::Impl::~Impl() {
@@ -139,8 +126,10 @@ RTCGeometry Accel::Impl::NewGeometry(const GeometryRecord &record) {
     RTCGeometry geometry;
     if (const auto *triangles = std::get_if<TriangleMesh>(&shape)) {
         geometry = NewTriangles(device, *triangles);
-    } else if (const auto *curves = std::get_if<CurveSet>(&shape)) {
-        geometry = NewCurves(device, *curves);
+    } else if (const auto *set = std::get_if<CurveSet>(&shape)) {
+        curves.push_back({record, CurveChords(*set)});
+        bytes += int64_t(curves.back().chords.Bytes());
+        return NewCurves(device, &curves.back());
     } else {
         if (IsUserGeometry(shape)) return NewBentPatches(device, &record);
         geometry = NewQuads(device, *std::get_if<BilinearMesh>(&shape));

@@ -92,7 +92,7 @@ class Accel {
     bool HasGaps() const { return hasGaps; }
 
     Bounds3f WorldBounds() const;
-    size_t MemoryBytes() const;  ///< what Embree holds
+    size_t MemoryBytes() const;  ///< what traversal holds beside the shapes
     void *EmbreeScene() const;   ///< the RTCScene, for benchmarks of Embree alone
 
   private:

@@ -4,6 +4,7 @@
 #include <deque>
 
 #include "pbrt/accel/accel.h"
+#include "pbrt/accel/curve_chords.h"
 #include "pbrt/accel/user_geometry.h"
 
 namespace pbrt {
@@ -19,7 +20,8 @@ struct Accel::Impl {
     std::vector<RTCScene> objectScenes;
     std::vector<GeometryRecord> records;  ///< one a geometry
     std::deque<QuadricSet> quadrics;      ///< one a scene that has some
-    std::atomic<int64_t> bytes{0};
+    std::deque<CurveRecord> curves;       ///< one a set of curves
+    std::atomic<int64_t> bytes{0};        ///< of Embree and of `curves`
     std::string error;
 
     Impl(std::span<const Geometry> geometries, uint32_t nTop, std::span<const ObjectRange> objects,

@@ -94,8 +94,13 @@ class CurveReader {
             params.Error(fmt::format("{} needs \"point3 P\"", params.What()));
             return {};
         }
-        if (points > d && (!isBezier || (points - 1) % d == 0))
-            return isBezier ? (points - 1) / d : points - d;
+        if (points > d && (!isBezier || (points - 1) % d == 0)) {
+            const size_t segments = isBezier ? (points - 1) / d : points - d;
+            if (segments <= kMaxCurveSegments) return segments;
+            params.Error("P", fmt::format("{} segments; one curve has at most {}", segments,
+                                          kMaxCurveSegments));
+            return {};
+        }
         params.Error("P", isBezier ? fmt::format("\"point3 P\": {} points; a bezier curve of "
                                                  "degree {} has {}, {}, {}... of them",
                                                  points, d, d + 1, 2 * d + 1, 3 * d + 1)
@@ -198,7 +203,7 @@ class CurveReader {
 bool Append(const CurveSet &more, CurveSet *into) {
     const size_t before = into->points.size();
     if (more.type != into->type || more.flipNormal != into->flipNormal ||
-        before + more.points.size() > std::numeric_limits<uint32_t>::max())
+        into->first.size() + more.first.size() > kMaxCurveSegments)
         return false;
     for (const uint32_t first : more.first)
         into->first.push_back(uint32_t(before) + first);

@@ -63,13 +63,16 @@ struct Cylinder {
 /// Both turn to the ray; one is shaded as flat, the other as a cylinder. Ribbons are meshes.
 enum class CurveType { Flat, Cylinder };
 
-/// A point of a curve's control polygon; Embree reads the 16 bytes.
+/// A point of a curve's control polygon.
 struct CurvePoint {
     Point3f p;
     float radius;  ///< half the width
 };
 
-/// Any number of cubic Bezier segments of one type: 52 bytes each, for neighbours share a point.
+inline constexpr size_t kMaxCurveSegments = size_t(1) << 27;  ///< of one CurveSet
+
+/// Cubic Bezier segments of one type, at most kMaxCurveSegments: 52 bytes each, for neighbours
+/// share a point.
 struct CurveSet {
     std::vector<uint32_t> first;     ///< per segment: its first point of four
     std::vector<CurvePoint> points;  ///< rendering space (object's space of an instance)
