@@ -123,11 +123,16 @@ def summary(results):
     return table(head, lines)
 
 
+def ratio(p):
+    """Of memory; left out where the program itself outweighs the scene."""
+    return f"{p.memory_ratio():.2f}" if p.traversal + p.input_bytes > 10**7 else ""
+
+
 def scaling_table(points):
     head = ["series", "size", "input MB", "load + build s", "ns a sample", "peak MiB",
             "peak / (Embree + input)", "relative variance"]
     return table(head, [[p.series, str(p.size), f"{p.input_bytes / 1e6:.1f}", number(p.load),
-                         f"{p.nanoseconds():.0f}", mib(p.peak), f"{p.memory_ratio():.2f}",
+                         f"{p.nanoseconds():.0f}", mib(p.peak), ratio(p),
                          number(p.mse, 2)] for p in points])
 
 
@@ -156,8 +161,7 @@ def reading(points):
     for p in points:
         seconds = p.parse if "text" in p.series else p.load
         lines.append([p.series.split(",")[0], str(p.size), number(seconds),
-                      f"{p.size / seconds:.0f}", number(p.load), mib(p.peak),
-                      f"{p.memory_ratio():.2f}"])
+                      f"{p.size / seconds:.0f}", number(p.load), mib(p.peak), ratio(p)])
     return table(["what", "MB", "seconds", "MB/s", "with building, s", "peak MiB",
                   "peak / (Embree + input)"], lines)
 
