@@ -110,7 +110,7 @@ void BuildLights(const Description &scene, const std::string &lightSampler,
 
 }  // namespace
 
-std::unique_ptr<World> BuildWorld(const Description &scene, const Overrides &overrides,
+std::unique_ptr<World> BuildWorld(Description &scene, const Overrides &overrides,
                                   Diagnostics &log) {
     auto world = std::make_unique<World>();
     world->options = scene.options;

@@ -59,7 +59,7 @@ class ShapeBuilder {
             if (entity.areaLight && instanced)
                 log.Warning(entity.loc, "an area light in an object definition gives no light");
             else if (entity.areaLight)
-                emitters.push_back({uint32_t(world.geometries.size()), entity.areaLight.get()});
+                emitters.push_back({uint32_t(world.geometries.size()), entity.areaLight});
             if (!JoinCurves(geometry)) world.geometries.push_back(std::move(geometry));
         }
     }
@@ -92,9 +92,8 @@ class ShapeBuilder {
         }
     }
 
-    void AddMovingShapes(const Transform &renderFromWorld) {
-        for (const ShapeEntity &entity : scene.shapes) {
-            if (!Moves(entity)) continue;
+    void AddMovingShapes(const std::deque<ShapeEntity> &shapes, const Transform &renderFromWorld) {
+        for (const ShapeEntity &entity : shapes) {
             if (entity.areaLight) log.Error(entity.loc, "moving area lights are not supported");
             const TransformPair &t = entity.worldFromObject;
             Place(AddMovingShape(entity), {renderFromWorld * t[0], renderFromWorld * t[1]});
@@ -177,16 +176,21 @@ MaterialTable BuildMaterials(const Description &scene, const NamedTextures &text
     return table;
 }
 
-std::vector<EmissiveShape> BuildShapes(const Description &scene, const NamedTextures &textures,
+std::vector<EmissiveShape> BuildShapes(Description &scene, const NamedTextures &textures,
                                        const MaterialTable &materials, World &world,
                                        Diagnostics &log) {
     ShapeBuilder builder(scene, textures, materials, world, log);
     const Transform &renderFromWorld = world.camera.RenderFromWorld();
-    for (const ShapeEntity &entity : scene.shapes)
-        if (!ShapeBuilder::Moves(entity))
+    std::deque<ShapeEntity> moving;
+    for (; !scene.shapes.empty(); scene.shapes.pop_front()) {
+        ShapeEntity &entity = scene.shapes.front();
+        if (ShapeBuilder::Moves(entity))
+            moving.push_back(std::move(entity));
+        else
             builder.Add(entity, renderFromWorld * entity.worldFromObject[0], false);
+    }
     builder.AddObjects();
-    builder.AddMovingShapes(renderFromWorld);
+    builder.AddMovingShapes(moving, renderFromWorld);
     for (const InstanceUse &use : scene.instances)
         builder.AddInstance(use, {renderFromWorld, renderFromWorld});
     return std::move(builder.emitters);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -18,11 +19,12 @@ MaterialTable BuildMaterials(const Description &scene, const NamedTextures &text
 
 struct EmissiveShape {
     uint32_t geometry;
-    const Entity *areaLight;
+    std::shared_ptr<const Entity> areaLight;
 };
 /// Fills World::geometries (those of the top level first), objects and instances; nested instances
-/// are flattened, since Embree nests them one deep only.
-std::vector<EmissiveShape> BuildShapes(const Description &scene, const NamedTextures &textures,
+/// are flattened, since Embree nests them one deep only. Takes the top level's shapes out of the
+/// description one by one: as text, millions of them need more memory than built.
+std::vector<EmissiveShape> BuildShapes(Description &scene, const NamedTextures &textures,
                                        const MaterialTable &materials, World &world,
                                        Diagnostics &log);
 

@@ -44,6 +44,7 @@ class Vertices {
         const WideMask last = std::bit_cast<WideInt>(path.depth) == world.path.maxDepth;
         if constexpr (!PassesLight<M>) lanes &= ~BitsOf(last);
         if (lanes == 0) return;
+        SetContexts();
         SetFrames();
         wo = frame.ToLocal(-path.d);
         lanes &= BitsOf(wo.z != 0.f);
@@ -82,8 +83,11 @@ class Vertices {
         });
     }
 
-    TextureEvalContext ContextAt(int i) const {
-        return kPlain ? TextureEvalContext() : world.TextureContext(Lane(sp, i));
+    const TextureEvalContext &ContextAt(int i) const { return contexts[kPlain ? 0 : size_t(i)]; }
+    void SetContexts() {
+        if constexpr (!kPlain)
+            ForEachLane(lanes,
+                        [&](int i) { contexts[size_t(i)] = world.TextureContext(Lane(sp, i)); });
     }
 
     void SetFrames() {
@@ -223,6 +227,7 @@ class Vertices {
     PathLanes path;
     HitPacket hits;
     SurfacePoints sp;
+    std::array<TextureEvalContext, kPlain ? 1 : kWide> contexts;
     WideFrame frame;
     WideVector3f wo;
     BxDFLanes<BxDF> bsdfs;
