@@ -16,7 +16,14 @@ template <typename SamplerT, typename Scattering = BSDFAsItIs>
 class BatchTracer {
   public:
     BatchTracer(const World &world, const SamplerT &sampler)
-        : world(world), sampler(sampler), choosesLights(!world.lightSampler.OnlyLight()) {}
+        : world(world), sampler(sampler), choosesLights(!world.lightSampler.OnlyLight()) {
+        for (PathQueue &queue : paths.queues)
+            queue.KeepNormals(choosesLights);
+        for (const Geometry &g : world.geometries) {
+            materialOf.push_back(uint32_t(g.material));
+            kindOf.push_back(world.AsMix(g.material) ? kMix : KindOf(uint32_t(g.material)));
+        }
+    }
 
     /// Adds the samples to the pixels' sums; batch.Size() <= kBatchSize.
     void Trace(const Batch &what, std::span<Film::Pixel> sums, RayCounts &counts) {
@@ -32,6 +39,7 @@ class BatchTracer {
 
   private:
     static constexpr size_t kTypes = std::variant_size_v<Material>;
+    static constexpr uint32_t kMix = ~0u;  ///< the kind of no path
     // Dimensions of the camera's numbers.
     static constexpr int kWavelength = 0, kFilm = 1, kTime = 2, kLens = 3,
                          kFirstVertexDimension = 4;
@@ -128,28 +136,31 @@ class BatchTracer {
             packet, FirstLanes(count), &hits, fromCamera ? Coherence::Alike : Coherence::Octant);
         rays->closest += count;
         paths.SetHits(place, hits, met);
+        const WideUint geometry = Select(MaskOf(met), hits.geometry, WideUint{});
+        WideUint material = met ? Gather(materialOf.data(), geometry) : WideUint{};
+        WideUint kind = met ? Gather(kindOf.data(), geometry) : WideUint{};
+        ForEachLane(met & BitsOf(kind == kMix), [&](int i) {
+            const Ray ray = packet.At(i);
+            material[i] = uint32_t(
+                world.MaterialMet(MaterialId(material[i]), world.Interact(hits.At(i), ray), ray.d));
+            kind[i] = KindOf(material[i]);
+        });
+        Scatter(&paths.material[0], place, material, met);
+        kind = Select(MaskOf(met), kind, WideUint{});
         for (int i = 0; i < count; ++i) {
-            size_t kind = 0;
-            if (met >> i & 1) kind = KindMet(place[i], hits.At(i), packet.At(i));
-            PathList &list = lists[kind];
+            PathList &list = lists[kind[i]];
             list.at[size_t(list.size++)] = place[i];
         }
     }
 
-    /// Which list the path at this place belongs to.
-    size_t KindMet(uint32_t at, const Hit &hit, const Ray &ray) {
-        MaterialId id = world.geometries[hit.geometry].material;
-        if (world.AsMix(id)) [[unlikely]]
-            id = world.MaterialMet(id, world.Interact(hit, ray), ray.d);
-        paths.material[at] = uint32_t(id);
-        return 1 + 2 * world.materials[size_t(id)].index() + world.plain[size_t(id)];
+    /// Which list paths belong to that meet this material.
+    uint32_t KindOf(uint32_t material) const {
+        return uint32_t(1 + 2 * world.materials[material].index() + world.plain[material]);
     }
 
     /// Paths at the given places of the queue, all of one kind.
     void Meet(size_t kind, const uint32_t *from, int count, int dimension) {
-        WideUint at;
-        for (int i = 0; i < kWide; ++i)
-            at[i] = from[std::min(i, count - 1)];
+        const WideUint at = Select(MaskOf(FirstLanes(count)), LoadWide(from), Broadcast16(from[0]));
         if (kind == 0) {
             if (world.infiniteLights.empty()) return;
             return AddLightFromInfinity(world, paths.queue->At(at), FirstLanes(count), &paths);
@@ -216,6 +227,7 @@ class BatchTracer {
     RayCounts *rays = nullptr;
     Batch batch;
     PathBatch paths;
+    std::vector<uint32_t> materialOf, kindOf;  ///< by geometry
     BatchArray<uint32_t> octant, order;
     /// Places in the queue.
     struct PathList {

@@ -37,6 +37,8 @@ class PathQueue {
   public:
     int Size() const { return size; }
     void Clear() { size = 0; }
+    /// Whether PathState::previous has normals: where somebody reads them. Before the first Add.
+    void KeepNormals(bool keep) { keepsNormals = keep; }
 
     void Add(const PathLanes &paths, LaneBits lanes) {
         const size_t end = size_t(size);
@@ -45,8 +47,10 @@ class PathQueue {
         d.Put(size, paths.d, lanes);
         StoreLanes(&time[end], paths.time, lanes);
         p.Put(size, paths.p, lanes);
-        n.Put(size, paths.n, lanes);
-        ns.Put(size, paths.ns, lanes);
+        if (keepsNormals) {
+            n.Put(size, paths.n, lanes);
+            ns.Put(size, paths.ns, lanes);
+        }
         StoreLanes(&bsdfPDF[end], paths.bsdfPDF, lanes);
         StoreLanes(&etaScale[end], paths.etaScale, lanes);
         StoreLanes(&depth[end], paths.depth, lanes);
@@ -55,18 +59,15 @@ class PathQueue {
     }
     WideUint SlotsAt(const WideUint &at) const { return Gather(&slot[0], at); }
     PathLanes At(const WideUint &at) const {
-        PathLanes paths{Gather(&slot[0], at),
-                        o.At(at),
-                        d.At(at),
-                        Gather(&time[0], at),
-                        p.At(at),
-                        n.At(at),
-                        ns.At(at),
-                        Gather(&bsdfPDF[0], at),
-                        Gather(&etaScale[0], at),
-                        Gather(&depth[0], at),
-                        Gather(&anyNonSpecular[0], at),
-                        {}};
+        PathLanes paths;
+        paths.slot = Gather(&slot[0], at);
+        paths.o = o.At(at), paths.d = d.At(at), paths.time = Gather(&time[0], at);
+        paths.p = p.At(at);
+        paths.n = paths.ns = {};
+        paths.bsdfPDF = Gather(&bsdfPDF[0], at), paths.etaScale = Gather(&etaScale[0], at);
+        paths.depth = Gather(&depth[0], at);
+        paths.anyNonSpecular = Gather(&anyNonSpecular[0], at);
+        if (keepsNormals) paths.n = n.At(at), paths.ns = ns.At(at);
         for (int i = 0; i < kWide; ++i)
             paths.beta[size_t(i)] = beta[at[i]];
         return paths;
@@ -84,6 +85,7 @@ class PathQueue {
     BatchArray<float> time{}, bsdfPDF{}, etaScale{};
     BatchArray<SampledSpectrum> beta{};
     int size = 0;
+    bool keepsNormals = true;
 };
 
 /// Shadow rays of a batch.
