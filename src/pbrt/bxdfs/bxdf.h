@@ -26,10 +26,18 @@ enum class BxDFFlags : uint8_t {
 constexpr BxDFFlags operator|(BxDFFlags a, BxDFFlags b) {
     return BxDFFlags(uint8_t(a) | uint8_t(b));
 }
-constexpr bool Has(BxDFFlags flags, BxDFFlags bits) { return (uint8_t(flags) & uint8_t(bits)) != 0; }
-constexpr bool IsReflective(BxDFFlags f) { return Has(f, BxDFFlags::Reflection); }
-constexpr bool IsTransmissive(BxDFFlags f) { return Has(f, BxDFFlags::Transmission); }
-constexpr bool IsSpecular(BxDFFlags f) { return Has(f, BxDFFlags::Specular); }
+constexpr bool Has(BxDFFlags flags, BxDFFlags bits) {
+    return (uint8_t(flags) & uint8_t(bits)) != 0;
+}
+constexpr bool IsReflective(BxDFFlags f) {
+    return Has(f, BxDFFlags::Reflection);
+}
+constexpr bool IsTransmissive(BxDFFlags f) {
+    return Has(f, BxDFFlags::Transmission);
+}
+constexpr bool IsSpecular(BxDFFlags f) {
+    return Has(f, BxDFFlags::Specular);
+}
 constexpr bool IsNonSpecular(BxDFFlags f) {
     return Has(f, BxDFFlags::Diffuse | BxDFFlags::Glossy);
 }
@@ -42,9 +50,16 @@ struct BSDFSample {
     float eta = 1;  ///< relative index of refraction where the sample refracts
 };
 
+/// f and PDF for the same directions.
+struct FAndPDF {
+    SampledSpectrum f;
+    float pdf;
+};
+
 /// A BxDF lives in the local frame (z the shading normal, x along dp/du); directions are unit and
 /// point away from the surface. f excludes the cosine; f and PDF are functions: no randomness.
-/// Both are 0 for delta lobes.
+/// Both are 0 for delta lobes. Where they share much of their work, a BxDF also has
+///   FAndPDF Both(Vector3f wo, Vector3f wi, TransportMode) const
 template <typename B>
 concept BxDFModel = requires(const B b, Vector3f w, float u, Point2f u2, TransportMode mode) {
     { b.Flags() } -> std::same_as<BxDFFlags>;

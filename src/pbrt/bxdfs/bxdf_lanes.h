@@ -34,10 +34,9 @@ class BxDFLanes {
     BxDFValues Evaluate(const WideVector3f &wo, const WideVector3f &wi, LaneBits active) const {
         BxDFValues values;
         ForEachLane(active, [&](int i) {
-            const BxDF &bxdf = *lanes[size_t(i)];
-            values.f[size_t(i)] = bxdf.f(Lane(wo, i), Lane(wi, i), TransportMode::Radiance);
-            if (values.f[size_t(i)])
-                values.pdf[i] = bxdf.PDF(Lane(wo, i), Lane(wi, i), TransportMode::Radiance);
+            const FAndPDF both = Both(*lanes[size_t(i)], Lane(wo, i), Lane(wi, i));
+            values.f[size_t(i)] = both.f;
+            values.pdf[i] = both.pdf;
         });
         return values;
     }
@@ -62,6 +61,13 @@ class BxDFLanes {
     }
 
   private:
+    static FAndPDF Both(const BxDF &bxdf, Vector3f wo, Vector3f wi) {
+        constexpr auto mode = TransportMode::Radiance;
+        if constexpr (requires { bxdf.Both(wo, wi, mode); })
+            return bxdf.Both(wo, wi, mode);
+        else
+            return {bxdf.f(wo, wi, mode), bxdf.PDF(wo, wi, mode)};
+    }
     std::array<std::optional<BxDF>, kWide> lanes;
 };
 

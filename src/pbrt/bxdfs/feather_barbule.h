@@ -23,6 +23,11 @@ class FeatherBarbuleBxDF {
     float PDF(Vector3f wo, Vector3f wi, TransportMode) const {
         return barbule.Pdf(barbule.SeenFrom(Local(wo)), Local(wi));
     }
+    FAndPDF Both(Vector3f wo, Vector3f wi, TransportMode) const {
+        const auto view = barbule.SeenFrom(Local(wo));
+        const auto in = Local(wi);
+        return {SampledSpectrum(barbule.f(view, in)), barbule.Pdf(view, in)};
+    }
     std::optional<BSDFSample> Sample_f(Vector3f wo, float uc, Point2f u, TransportMode) const {
         const auto s = barbule.Sample_f(barbule.SeenFrom(Local(wo)), uc, u.x, u.y);
         if (!s) return {};

@@ -40,6 +40,11 @@ class HairBxDF {
         const View view = SeenFrom(wo);
         return SumOf(Densities(view, InclinationOf(wi), Azimuth(wo, wi)) * view.chance);
     }
+    FAndPDF Both(Vector3f wo, Vector3f wi, TransportMode) const {
+        const View view = SeenFrom(wo);
+        const Lanes densities = Densities(view, InclinationOf(wi), Azimuth(wo, wi));
+        return {Sum(view, densities, wi), SumOf(densities * view.chance)};
+    }
     std::optional<BSDFSample> Sample_f(Vector3f wo, float uc, Point2f u, TransportMode) const;
     /// Nothing to do: beta_m and beta_n bound how sharp it gets.
     void Regularize() {}
