@@ -8,10 +8,6 @@
 
 #include "pbrt/util/hash.h"
 
-// How 64 bytes travel between functions depends on the processor compiled for; all of this program
-// is compiled for the same one.
-#pragma GCC diagnostic ignored "-Wpsabi"
-
 namespace pbrt {
 
 // Sixteen numbers side by side, one for each ray of a packet; arithmetic and comparison are lane by
