@@ -27,6 +27,7 @@ class BatchTracer {
 
     /// Adds the samples to the pixels' sums; batch.Size() <= kBatchSize.
     void Trace(const Batch &what, std::span<Film::Pixel> sums, RayCounts &counts) {
+        DCHECK(what.Size() <= kBatchSize);
         batch = what;
         rays = &counts;
         sampler.StartBatch(batch.pixels);
@@ -187,6 +188,7 @@ class BatchTracer {
     static void ForType(size_t kind, const F &f) {
         ForType(kind, f, std::make_index_sequence<2 * kTypes>());
     }
+
     void TraceShadows() {
         ShadowQueue &shadows = paths.shadows;
         rays->shadow += shadows.Size();

@@ -53,10 +53,6 @@ template <typename T>
 using MaskFor = std::conditional_t<IsWideTrait<T>::value, WideMask, bool>;
 template <typename T>
 using IntOf = std::conditional_t<IsWideTrait<T>::value, WideInt, int>;
-/// Whether T stands for sixteen numbers.
-template <typename T>
-inline constexpr bool IsWide = IsWideTrait<T>::value;
-
 /// float or WideFloat.
 template <typename T>
 concept AnyFloat = std::is_same_v<T, float> || std::is_same_v<T, WideFloat>;
@@ -273,26 +269,20 @@ inline void StoreWide(WideUint v, uint32_t *to) {
     __builtin_memcpy(to, &v, sizeof v);
 }
 
+/// Sixteen T: of float or uint32_t.
+template <typename T>
+using WideOf = std::conditional_t<std::is_same_v<T, float>, WideFloat, WideUint>;
+
 // With masks that hold, for g++ 12 takes the unmasked forms for uses of uninitialised values.
 
-/// from[index[lane]] in each lane; every index must be readable.
-inline WideFloat Gather(const float *from, WideUint index) {
+/// from[index[lane]] in each lane; every index must be readable. T: float or uint32_t.
+template <typename T>
+inline WideOf<T> Gather(const T *from, WideUint index) {
 #if defined(__AVX512F__)
-    return std::bit_cast<WideFloat>(_mm512_mask_i32gather_ps(
-        _mm512_setzero_ps(), 0xffff, std::bit_cast<__m512i>(index), from, 4));
-#else
-    WideFloat v;
-    for (int i = 0; i < kWide; ++i)
-        v[i] = from[index[i]];
-    return v;
-#endif
-}
-inline WideUint Gather(const uint32_t *from, WideUint index) {
-#if defined(__AVX512F__)
-    return std::bit_cast<WideUint>(_mm512_mask_i32gather_epi32(
+    return std::bit_cast<WideOf<T>>(_mm512_mask_i32gather_epi32(
         _mm512_setzero_si512(), 0xffff, std::bit_cast<__m512i>(index), from, 4));
 #else
-    WideUint v;
+    WideOf<T> v;
     for (int i = 0; i < kWide; ++i)
         v[i] = from[index[i]];
     return v;
@@ -311,28 +301,25 @@ inline WideUint Permute(WideUint table, WideUint index) {
 #endif
 }
 /// to[index[lane]] = v[lane] in the given lanes; of equal indices the last lane's counts.
-inline void Scatter(float *to, WideUint index, WideFloat v, LaneBits lanes) {
+template <typename T>
+inline void Scatter(T *to, WideUint index, WideOf<T> v, LaneBits lanes) {
 #if defined(__AVX512F__)
-    _mm512_mask_i32scatter_ps(to, __mmask16(lanes), std::bit_cast<__m512i>(index),
-                              std::bit_cast<__m512>(v), 4);
+    _mm512_mask_i32scatter_epi32(to, __mmask16(lanes), std::bit_cast<__m512i>(index),
+                                 std::bit_cast<__m512i>(v), 4);
 #else
     ForEachLane(lanes, [&](int i) { to[index[i]] = v[i]; });
 #endif
 }
-inline void Scatter(uint32_t *to, WideUint index, WideUint v, LaneBits lanes) {
-    Scatter(reinterpret_cast<float *>(to), index, std::bit_cast<WideFloat>(v), lanes);
-}
 
 /// The given lanes of v, one after another; writes up to sixteen numbers.
-inline void StoreLanes(float *to, WideFloat v, LaneBits lanes) {
+template <typename T>
+inline void StoreLanes(T *to, WideOf<T> v, LaneBits lanes) {
 #if defined(__AVX512F__)
-    _mm512_storeu_ps(to, _mm512_maskz_compress_ps(__mmask16(lanes), std::bit_cast<__m512>(v)));
+    _mm512_storeu_si512(to,
+                        _mm512_maskz_compress_epi32(__mmask16(lanes), std::bit_cast<__m512i>(v)));
 #else
     ForEachLane(lanes, [&](int i) { *to++ = v[i]; });
 #endif
-}
-inline void StoreLanes(uint32_t *to, WideUint v, LaneBits lanes) {
-    StoreLanes(reinterpret_cast<float *>(to), std::bit_cast<WideFloat>(v), lanes);
 }
 
 /// Lane i of a point or vector.
