@@ -64,7 +64,7 @@ def mesh_1m_matte():
 def hairball():
     """50 000 hairs of three segments under a square lamp and a dim sky."""
     hair = Strands(g.hair_ball(50000), (0.004, 0.0015), Hair(0.35, 0.15))
-    light = g.lamp(0.4, -2.0 + 0.8, 0.8, 2.4, BLACK, (9, 8.4, 7.6))
+    light = g.lamp(1.2, -1.2, 0.8, 2.4, BLACK, (9, 8.4, 7.6))
     scalp = Sphere((0, 0, 0), 0.55, Diffuse((0.12, 0.08, 0.06)))
     return Scene("hairball", ((0, 0.5, -3.6), (0, 0, 0), (0, 1, 0)), 34,
                  [g.floor(4, -1.05, Diffuse((0.4, 0.4, 0.4))), light, hair, scalp],
