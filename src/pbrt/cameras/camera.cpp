@@ -103,18 +103,4 @@ Camera Camera::Create(const Description &scene, Point2i resolution, Diagnostics 
     return c;
 }
 
-void Camera::ApproximateStep(Point3f p, Normal3f n, float scale, Vector3f *dpdx,
-                             Vector3f *dpdy) const {
-    const Point3f eye = renderFromCamera.Point({0, 0, 0});
-    const float step = scale * (pixelAngle * Length(p - eye) + pixelSize);
-    // A square of that size facing the camera, projected along the view onto the tangent plane.
-    const Vector3f view = pixelAngle > 0 ? Normalize(p - eye) : Normalize(forward);
-    const float cosine = Dot(n, view);
-    const float safe = std::copysign(std::max(std::abs(cosine), 0.05f), cosine);
-    const auto project = [&](Vector3f v) { return v - view * (Dot(n, v) / safe); };
-    const Frame frame = Frame::FromZTangent(view, right);
-    *dpdx = step * project(frame.x);
-    *dpdy = step * project(frame.y);
-}
-
 }  // namespace pbrt

@@ -50,7 +50,8 @@ class Camera {
 
     /// Steps of a surface point per pixel in x and y, for texture filtering: the tangent-plane
     /// intersections of the neighbouring pixels' rays, taken from the film's centre.
-    void ApproximateStep(Point3f p, Normal3f n, float scale, Vector3f *dpdx, Vector3f *dpdy) const;
+    template <AnyFloat T>
+    void ApproximateStep(Vec3<T> p, Vec3<T> n, float scale, Vec3<T> *dpdx, Vec3<T> *dpdy) const;
 
     bool HasLens() const { return lensRadius > 0; }
     float ShutterOpen() const { return shutterOpen; }
@@ -86,5 +87,21 @@ class Camera {
     float pixelSize = 0;                ///< steps, orthographic
     Transform renderFromWorld, renderFromCamera, cameraFromWorld, ndcFromWorld;
 };
+
+template <AnyFloat T>
+void Camera::ApproximateStep(Vec3<T> p, Vec3<T> n, float scale, Vec3<T> *dpdx,
+                             Vec3<T> *dpdy) const {
+    const auto all = [](Vector3f v) { return Vec3<T>{T{} + v.x, T{} + v.y, T{} + v.z}; };
+    const Vec3<T> away = p - all(renderFromCamera.Point({0, 0, 0}));
+    const T step = scale * (pixelAngle * Length(away) + pixelSize);
+    // A square of that size facing the camera, projected along the view onto the tangent plane.
+    const Vec3<T> view = pixelAngle > 0 ? Normalize(away) : all(Normalize(forward));
+    const T cosine = Dot(n, view);
+    const T safe = CopySign(Max(Abs(cosine), 0.05f), cosine);
+    const auto project = [&](Vec3<T> v) { return v - view * (Dot(n, v) / safe); };
+    const auto frame = FrameT<T>::FromZTangent(view, all(right));
+    *dpdx = step * project(frame.x);
+    *dpdy = step * project(frame.y);
+}
 
 }  // namespace pbrt

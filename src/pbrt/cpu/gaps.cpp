@@ -4,9 +4,10 @@ namespace pbrt {
 namespace {
 
 template <typename M>
-float GapFractionOf(const World &world, const M &material, const SurfacePoint &sp, Vector3f d) {
+float GapFractionOf(const World &world, const M &material, bool plain, const SurfacePoint &sp,
+                    Vector3f d) {
     if constexpr (PassesLight<M>) {
-        const TextureEvalContext ctx = world.TextureContext(sp);
+        const TextureEvalContext ctx = plain ? TextureEvalContext{} : world.TextureContext(sp);
         const Frame frame = material.TurnFrame(sp.ShadingFrame(), ctx);
         return material.GapFraction(ctx, frame.ToLocal(Normalize(-d)));
     } else {
@@ -18,8 +19,9 @@ float GapFractionOf(const World &world, const M &material, const SurfacePoint &s
 float GapFractionOf(const World &world, MaterialId id, const SurfacePoint &sp, Vector3f d) {
     const MixMaterial *const mix = world.AsMix(id);
     if (!mix) {
-        return std::visit([&](const auto &m) { return GapFractionOf(world, m, sp, d); },
-                          world.materials[id]);
+        return std::visit(
+            [&](const auto &m) { return GapFractionOf(world, m, world.plain[id], sp, d); },
+            world.materials[id]);
     }
     const float share = mix->amount.Evaluate(world.TextureContext(sp));
     float gap = 0;

@@ -3,7 +3,6 @@
 #include "pbrt/bxdfs/bxdf_lanes.h"
 #include "pbrt/cpu/emission.h"
 #include "pbrt/cpu/path_batch.h"
-#include "pbrt/cpu/shading_frame.h"
 #include "pbrt/lights/light_packet.h"
 
 namespace pbrt {
@@ -71,7 +70,7 @@ class Vertices {
     void Interact() {
         hits = batch.HitsAt(at);
         const RayPacket rays{path.o, path.d, Broadcast16(Infinity), path.time};
-        sp = world.Interact<!kPlain>(hits, rays, lanes);
+        sp = world.Interact < !kPlain || TurnsFrame < M >> (hits, rays, lanes);
     }
 
     void AddEmissions() {
@@ -85,19 +84,23 @@ class Vertices {
 
     const TextureEvalContext &ContextAt(int i) const { return contexts[kPlain ? 0 : size_t(i)]; }
     void SetContexts() {
-        if constexpr (!kPlain)
-            ForEachLane(lanes,
-                        [&](int i) { contexts[size_t(i)] = world.TextureContext(Lane(sp, i)); });
+        if constexpr (!kPlain) world.TextureContexts(sp, lanes, &contexts);
     }
 
     void SetFrames() {
-        if constexpr (kPlain || kIsotropic) {
+        if constexpr (kIsotropic || (kPlain && !TurnsFrame<M>)) {
             frame = WideFrame::FromZ(sp.ns);
         } else {
-            ForEachLane(lanes, [&](int i) {
-                SetLane(&frame, i, FrameFor(MaterialAt(i), Lane(sp, i), ContextAt(i)));
-            });
+            frame = sp.ShadingFrame();
+            if constexpr (TurnsFrame<M>) TurnFrames();
         }
+    }
+    void TurnFrames() {
+        ForEachLane(lanes, [&](int i) {
+            if (!MaterialAt(i).TurnsFrame()) return;
+            const Frame straight{Lane(frame.x, i), Lane(frame.y, i), Lane(frame.z, i)};
+            SetLane(&frame, i, MaterialAt(i).TurnFrame(straight, ContextAt(i)));
+        });
     }
 
     /// After the last scattering only straight passage is left: take its expectation.

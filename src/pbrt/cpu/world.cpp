@@ -61,31 +61,42 @@ SurfacePoint World::InteractLightly(const Hit &hit, const Ray &ray) const {
     return InteractIn<false>(*this, hit, ray);
 }
 
-TextureEvalContext World::TextureContext(const SurfacePoint &sp) const {
-    TextureEvalContext ctx;
-    ctx.p = sp.p;
-    ctx.n = sp.n;
-    ctx.uv = sp.uv;
-    ctx.faceIndex = sp.faceIndex;
-    if (!filtersTextures) return ctx;
+template <typename T>
+TextureFootprint<T> World::FootprintAt(const SurfacePointT<T> &sp) const {
     // Sampling finer than a pixel deserves finer look-ups.
     const float scale =
         std::max(0.125f, 1 / std::sqrt(float(std::visit(
                                  [](const auto &s) { return s.SamplesPerPixel(); }, sampler))));
-    camera.ApproximateStep(sp.p, sp.n, scale, &ctx.dpdx, &ctx.dpdy);
+    TextureFootprint<T> f;
+    camera.ApproximateStep(sp.p, sp.n, scale, &f.dpdx, &f.dpdy);
     // Least squares for (du, dv) in dp = dpdu du + dpdv dv.
-    const float a = Dot(sp.dpdu, sp.dpdu), b = Dot(sp.dpdu, sp.dpdv), c = Dot(sp.dpdv, sp.dpdv);
-    const float det = a * c - b * b;
-    if (!(det > 0)) return ctx;
-    const auto solve = [&](Vector3f step, float *du, float *dv) {
-        const float x = Dot(sp.dpdu, step), y = Dot(sp.dpdv, step);
-        const auto bounded = [](float v) { return std::clamp(v, -1e8f, 1e8f); };
+    const T a = Dot(sp.dpdu, sp.dpdu), b = Dot(sp.dpdu, sp.dpdv), c = Dot(sp.dpdv, sp.dpdv);
+    const T det = a * c - b * b;
+    const auto solve = [&](Vec3<T> step, T *du, T *dv) {
+        const T x = Dot(sp.dpdu, step), y = Dot(sp.dpdv, step);
+        const auto bounded = [&](T v) { return Select(det > 0, Min(Max(v, -1e8f), 1e8f), T{}); };
         *du = bounded((c * x - b * y) / det);
         *dv = bounded((a * y - b * x) / det);
     };
-    solve(ctx.dpdx, &ctx.dudx, &ctx.dvdx);
-    solve(ctx.dpdy, &ctx.dudy, &ctx.dvdy);
+    solve(f.dpdx, &f.dudx, &f.dvdx);
+    solve(f.dpdy, &f.dudy, &f.dvdy);
+    return f;
+}
+
+TextureEvalContext World::TextureContext(const SurfacePoint &sp) const {
+    TextureEvalContext ctx{{}, sp.p, sp.n, sp.uv, sp.faceIndex};
+    if (filtersTextures) static_cast<TextureFootprint<float> &>(ctx) = FootprintAt(sp);
     return ctx;
+}
+
+void World::TextureContexts(const SurfacePoints &sp, LaneBits lanes,
+                            std::array<TextureEvalContext, kWide> *contexts) const {
+    TextureFootprint<WideFloat> steps{};
+    if (filtersTextures) steps = FootprintAt(sp);
+    ForEachLane(lanes, [&](int i) {
+        (*contexts)[size_t(i)] = {Lane(steps, i), Lane(sp.p, i), Lane(sp.n, i), Lane(sp.uv, i),
+                                  sp.faceIndex[i]};
+    });
 }
 
 uint32_t World::TopLevelGeometries() const {

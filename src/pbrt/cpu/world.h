@@ -63,6 +63,9 @@ struct World {
     /// Point and frames only; see pbrt::InteractLightly.
     SurfacePoint InteractLightly(const Hit &hit, const Ray &ray) const;
     TextureEvalContext TextureContext(const SurfacePoint &sp) const;
+    /// TextureContext for the given lanes.
+    void TextureContexts(const SurfacePoints &sp, LaneBits lanes,
+                         std::array<TextureEvalContext, kWide> *contexts) const;
 
     const MixMaterial *AsMix(MaterialId id) const {
         return id >= kFirstMix ? &mixes[id - kFirstMix] : nullptr;
@@ -77,6 +80,10 @@ struct World {
     uint32_t TopLevelGeometries() const;
     /// Of materials that could not be made: no.
     bool LetsLightThrough(MaterialId id) const;
+
+  private:
+    template <typename T>
+    TextureFootprint<T> FootprintAt(const SurfacePointT<T> &sp) const;
 };
 
 }  // namespace pbrt

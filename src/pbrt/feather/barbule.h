@@ -17,6 +17,7 @@
 #include "pigment_fast.h"
 #include "row.h"
 #include "thin_film.h"
+#include "vane.h"
 
 namespace pbrt::feather {
 
@@ -27,7 +28,7 @@ struct View {
     Direction<T> wo;
     Direction<T> meanNormal;  ///< of the facets that wo sees, about
     T pigmentChance;          ///< probability of the TRT lobes, p_t
-    bool grazing;             ///< |wo.z| below Barbule::kGrazing: nothing is scattered
+    bool grazing;             ///< see Grazing: nothing is scattered
 };
 
 /// A drawn direction. `pdf` is of all lobes, 1/sr; for a gap it is the probability of the delta
@@ -44,27 +45,28 @@ struct Sample {
 ///
 /// N wavelengths at once. Directions are of Direction's local frame, on either side of the vane.
 /// R, TRT and f are in 1/sr without a cosine, >= 0, finite, symmetric in wo and wi, and 0 where
-/// |wo.z| or |wi.z| is below kGrazing. Nothing here is random but what the caller's numbers make
+/// |wo.z| or |wi.z| is Grazing. Nothing here is random but what the caller's numbers make
 /// so. `Quadrature` integrates TRT, see pigment_fast.h. Source: MODEL sections 3 to 7.
 template <std::floating_point T, int N, class Quadrature = AdaptiveRule>
 class Barbule {
   public:
     using Spectrum = std::array<T, N>;
-    static constexpr T kGrazing = T(1e-12);
 
     /// `params` within kParams' ranges, `optics` within kSpectrumParams'.
     Barbule(const BarbuleParams<T> &params, const Optics<T, N> &optics)
-        : row(params.spacing, params.tilt, params.aspect),
-          bend(params.opening),
+        : Barbule(Vane<T>(params), params.thickness, optics) {}
+    Barbule(const Vane<T> &vane, Nm<T> thickness, const Optics<T, N> &optics)
+        : row(vane.row),
+          bend(vane.bend),
           melanin(optics.melanin),
           meanMelanin(Sum(optics.melanin) / N),
           averageFilm(Sum(optics.eta) / N) {
         for (int i = 0; i < N; ++i)
-            films[i] = Film<T>(Nm<T>{optics.lambda[i]}, params.thickness, optics.eta[i]);
+            films[i] = Film<T>(Nm<T>{optics.lambda[i]}, thickness, optics.eta[i]);
     }
 
     View<T> SeenFrom(Direction<T> wo) const {
-        return {wo, MeanNormal(wo), PigmentChance(std::abs(wo.z)), std::abs(wo.z) < kGrazing};
+        return {wo, MeanNormal(wo), PigmentChance(std::abs(wo.z)), Grazing(wo)};
     }
 
     /// Reflection off the film, with interference.
@@ -136,7 +138,6 @@ class Barbule {
     static constexpr T kBelowOne = 1 - std::numeric_limits<T>::epsilon() / 2;
 
     static T Finite(T x) { return std::min(x, std::numeric_limits<T>::max()); }
-    static bool Grazing(const Direction<T> &w) { return std::abs(w.z) < kGrazing; }
     static bool SameSide(const Direction<T> &a, const Direction<T> &b) {
         return (a.z < 0) == (b.z < 0);
     }
@@ -232,7 +233,7 @@ class Barbule {
     /// that halves its view of the arc.
     Direction<T> MeanNormal(Direction<T> wo) const {
         const Direction<T> vane{0, 0, std::copysign(T(1), wo.z)};
-        if (std::abs(wo.z) < kGrazing) return vane;
+        if (Grazing(wo)) return vane;
         const auto [a, along] = bend.MiddleSeenFrom(wo);
         const RowView<T> seen = row.SeenFrom(Planar<T>{along, wo.x});
         const Planar<T> from = seen.PointAt(seen.lower), to = seen.PointAt(seen.upper);

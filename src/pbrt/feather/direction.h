@@ -17,6 +17,12 @@ constexpr T Dot(Direction<T> a, Direction<T> b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
+/// Whether w counts as in the plane of the vane, from where nothing is seen.
+template <std::floating_point T>
+constexpr bool Grazing(const Direction<T> &w) {
+    return -T(1e-12) < w.z && w.z < T(1e-12);
+}
+
 /// A vector in the plane across a barbule: n along the normal, x across (MODEL section 4.1). V is a
 /// scalar or a Pack: so many vectors.
 template <class V>

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace pbrt {
 namespace {
 
@@ -35,15 +37,22 @@ FeatherBarbuleMaterial FeatherBarbuleMaterial::Create(ParamDict &params,
     m.melanin = GetSpectrumTexture(params, named, melanin.name, *GetNamedSpectrum(melanin.def),
                                    SpectrumType::Albedo);
     if (m.melanin.IsConstant()) CheckRange(params, melanin, m.melanin.Constant());
+    if (m.IsConstant({Spacing, Tilt, Aspect, Opening})) m.constantVane = m.MakeVane<float>({});
     return m;
 }
 
-feather::BarbuleParams<float> FeatherBarbuleMaterial::Params(const TextureEvalContext &ctx) const {
-    return {{values[Thickness].Evaluate(ctx)},
-            values[Spacing].Evaluate(ctx),
-            {values[Tilt].Evaluate(ctx)},
-            values[Aspect].Evaluate(ctx),
-            {values[Opening].Evaluate(ctx)}};
+bool FeatherBarbuleMaterial::IsConstant(std::initializer_list<int> which) const {
+    return std::all_of(which.begin(), which.end(),
+                       [&](int i) { return values[size_t(i)].IsConstant(); });
+}
+
+bool FeatherBarbuleMaterial::IsPlain() const {
+    return constantVane && IsConstant({Thickness, Rotation}) && melanin.IsConstant();
+}
+
+const FeatherBarbuleMaterial::Vane &FeatherBarbuleMaterial::VaneAt(
+    const TextureEvalContext &ctx, std::optional<Vane> *room) const {
+    return constantVane ? *constantVane : room->emplace(MakeVane<float>(ctx));
 }
 
 FeatherBarbuleBxDF FeatherBarbuleMaterial::GetBxDF(const TextureEvalContext &ctx,
@@ -55,7 +64,9 @@ FeatherBarbuleBxDF FeatherBarbuleMaterial::GetBxDF(const TextureEvalContext &ctx
         optics.eta[i] = std::max(1.f, etas[i]);
         optics.melanin[i] = std::clamp(reflectance[i], 0.f, 1.f);
     }
-    return FeatherBarbuleBxDF(FeatherBarbuleBxDF::Model(Params(ctx), optics));
+    std::optional<Vane> room;
+    return FeatherBarbuleBxDF(
+        FeatherBarbuleBxDF::Model(VaneAt(ctx, &room), {values[Thickness].Evaluate(ctx)}, optics));
 }
 
 Frame FeatherBarbuleMaterial::TurnFrame(const Frame &frame, const TextureEvalContext &ctx) const {
@@ -66,11 +77,8 @@ Frame FeatherBarbuleMaterial::TurnFrame(const Frame &frame, const TextureEvalCon
 }
 
 float FeatherBarbuleMaterial::GapFraction(const TextureEvalContext &ctx, Vector3f w) const {
-    const feather::BarbuleParams<float> p = Params(ctx);
-    const feather::Row<float> row(p.spacing, p.tilt, p.aspect);
-    const feather::Bend<float> bend(p.opening);
-    if (std::abs(w.z) < FeatherBarbuleBxDF::Model::kGrazing) return 0;
-    return feather::GapFraction(row, bend, feather::Direction<float>{w.x, w.y, w.z});
+    std::optional<Vane> room;
+    return VaneAt(ctx, &room).GapFraction({w.x, w.y, w.z});
 }
 
 std::string FeatherBarbuleMaterial::Remarks() const {

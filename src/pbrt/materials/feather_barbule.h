@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <initializer_list>
+#include <optional>
 #include <string>
 
 #include "pbrt/bxdfs/feather_barbule.h"
@@ -19,8 +21,13 @@ class FeatherBarbuleMaterial {
 
     static FeatherBarbuleMaterial Create(ParamDict &params, const NamedTextures &named);
 
+    bool IsPlain() const;
     FeatherBarbuleBxDF GetBxDF(const TextureEvalContext &ctx,
                                const SampledWavelengths &lambda) const;
+    /// Whether `rotation` is not 0 throughout.
+    bool TurnsFrame() const {
+        return !values[Rotation].IsConstant() || values[Rotation].Constant() != 0;
+    }
     /// The shading frame, turned about its normal by `rotation`.
     Frame TurnFrame(const Frame &frame, const TextureEvalContext &ctx) const;
     /// Share of light from direction w (local, of the turned frame) that passes straight through.
@@ -34,18 +41,31 @@ class FeatherBarbuleMaterial {
 
   private:
     enum { Thickness, Spacing, Tilt, Aspect, Opening, Rotation };
-    feather::BarbuleParams<float> Params(const TextureEvalContext &ctx) const;
+    using Vane = feather::Vane<float>;
+    template <typename T>
+    feather::Vane<T> MakeVane(const TextureEvalContext &ctx) const;
+    bool IsConstant(std::initializer_list<int> which) const;
+    /// constantVane, or `room` with the vane there.
+    const Vane &VaneAt(const TextureEvalContext &ctx, std::optional<Vane> *room) const;
 
     std::array<BoundedTexture, feather::kParams.size()> values;
+    std::optional<Vane> constantVane;  ///< if its shape is the same everywhere
     Spectrum eta;
     SpectrumTexture melanin;
 };
+
+template <typename T>
+feather::Vane<T> FeatherBarbuleMaterial::MakeVane(const TextureEvalContext &ctx) const {
+    return feather::Vane<T>({.spacing = values[Spacing].Evaluate(ctx),
+                             .tilt = {values[Tilt].Evaluate(ctx)},
+                             .aspect = values[Aspect].Evaluate(ctx),
+                             .opening = {values[Opening].Evaluate(ctx)}});
+}
 
 template <typename Model, std::size_t N>
 Model FeatherBarbuleMaterial::ModelAt(const TextureEvalContext &ctx,
                                       const std::array<float, N> &nanometres) const {
     using T = typename Model::Spectrum::value_type;
-    const feather::BarbuleParams<float> p = Params(ctx);
     feather::Optics<T, int(N)> optics;
     for (std::size_t i = 0; i < N; ++i) {
         const float lambda = nanometres[i];
@@ -54,8 +74,7 @@ Model FeatherBarbuleMaterial::ModelAt(const TextureEvalContext &ctx,
         optics.eta[i] = std::max(1.f, eta(lambda));
         optics.melanin[i] = std::clamp(melanin.Evaluate(ctx, alone)[0], 0.f, 1.f);
     }
-    return Model({{p.thickness.value}, p.spacing, {p.tilt.value}, p.aspect, {p.opening.value}},
-                 optics);
+    return Model(MakeVane<T>(ctx), {values[Thickness].Evaluate(ctx)}, optics);
 }
 
 }  // namespace pbrt

@@ -35,10 +35,18 @@ inline bool LetsLightThrough(const Material &material) {
 
 /// Materials whose BxDFs have but one lobe, so that Sample_f reads no uc, declare kOneLobe.
 template <typename M>
-inline constexpr bool HasOneLobe = requires { M::kOneLobe; };
+inline constexpr bool HasOneLobe = requires {
+    M::kOneLobe;
+};
 
-/// Whether the material looks the same at every point and from every side, so that it needs
-/// neither tangents nor uv. Types that can be so have a member of that name.
+/// Materials whose frame turns about the normal, so that they need tangents always.
+template <typename M>
+inline constexpr bool TurnsFrame = requires(const M &m, const TextureEvalContext &ctx) {
+    m.TurnFrame(Frame(), ctx);
+};
+
+/// Whether the material is the same at every point, so that it needs no uv, nor tangents, where it
+/// does not turn its frame. Types that can be so have a member of that name.
 inline bool IsPlain(const Material &material) {
     return std::visit(
         [](const auto &m) {

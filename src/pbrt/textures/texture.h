@@ -9,17 +9,25 @@
 #include "pbrt/scene/params.h"
 #include "pbrt/spectra/spectrum.h"
 #include "pbrt/util/vecmath.h"
+#include "pbrt/util/wide.h"
 
 namespace pbrt {
 
-/// Where a texture is looked up. `p` in rendering space; derivatives of uv per pixel step, 0 where
-/// no filtering is wanted.
-struct TextureEvalContext {
+/// Steps of a surface point and of its uv per pixel; 0 where no filtering is wanted.
+template <typename T>
+struct TextureFootprint {
+    Vec3<T> dpdx, dpdy;
+    T dudx{}, dudy{}, dvdx{}, dvdy{};
+};
+inline TextureFootprint<float> Lane(const TextureFootprint<WideFloat> &f, int i) {
+    return {Lane(f.dpdx, i), Lane(f.dpdy, i), f.dudx[i], f.dudy[i], f.dvdx[i], f.dvdy[i]};
+}
+
+/// Where a texture is looked up. `p` in rendering space.
+struct TextureEvalContext : TextureFootprint<float> {
     Point3f p;
     Normal3f n;
     Point2f uv;
-    Vector3f dpdx, dpdy;
-    float dudx = 0, dudy = 0, dvdx = 0, dvdy = 0;
     int faceIndex = 0;  ///< the mesh's face index, else the number of the primitive
 };
 
