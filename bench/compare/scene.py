@@ -94,6 +94,7 @@ class Sky:
 
     rgb: tuple = None
     radiance: object = None
+    map: object = None  # path of an equal-area picture of it, Z up
 
 
 @dataclasses.dataclass
