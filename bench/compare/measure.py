@@ -23,6 +23,7 @@ class Row:
     render: float
     rays_per_second: float
     peak: int
+    memory_ratio: float = None  # see runs.memory_ratio; of ours alone
     mse: float = None
     trimmed: float = None
     flip: float = None
@@ -98,10 +99,13 @@ def cached_reference(renderer, folder, name, spp, setting):
     return ref
 
 
-def row(renderer, done):
+def row(renderer, done, scene_file):
     fastest = min(done, key=lambda r: r.render)
+    peak, ratio = max(r.peak for r in done), None
+    if renderer == runs.OURS:
+        ratio = runs.memory_ratio(peak, fastest.traversal, runs.input_bytes(scene_file))
     return Row(renderer.name, min(r.load for r in done), min(r.warm_up for r in done),
-               fastest.render, fastest.rays / fastest.render, max(r.peak for r in done))
+               fastest.render, fastest.rays / fastest.render, peak, ratio)
 
 
 def with_errors(line, done, ref, spp):
@@ -143,9 +147,10 @@ def measure(name, setting):
     compared = [r for r in done if r != runs.SCALAR or runs.LLVM not in done]
     spp = reference_spp(scene, setting)
     refs = {r: cached_reference(r, folder, name, spp, setting) for r in compared}
-    rows = [with_errors(row(r, done[r]), done[r], refs.get(r) or refs[compared[-1]], setting.spp)
-            for r in done]
+    file = folder / f"{name}.pbrt"
+    rows = [with_errors(row(r, done[r], file), done[r], refs.get(r) or refs[compared[-1]],
+                        setting.spp) for r in done]
     agreement = None
     if len(compared) > 1:
         agreement = error.agreement(refs[compared[0]], refs[compared[1]], scene.tolerance)
-    return Result(rows, agreement, runs.bare(folder / f"{name}.pbrt"))
+    return Result(rows, agreement, runs.bare(file))

@@ -22,12 +22,14 @@ ELSEWHERE = {"matte-spheres": (40.5, 3.07), "glass-caustic": (50.5, 4.32), "mesh
              "hairball": (117.5, 26.0)}
 METHOD = f"""
 Each renderer renders each scene in turn, every run in a process of its own; seconds are the least of
-the runs, memory is the largest resident set. Mitsuba compiles its kernel in a picture of one sample
-before the timed one; *warm-up* is what that takes when the kernel is in its cache. Both trace the
-same geometry, lights and camera to the same depth, with a box filter of one pixel, Russian roulette
-from the second bounce; ours uses the zsobol sampler, Mitsuba its independent one. `mesh-1m` has a
-layered `coateddiffuse` ground here, and there `roughplastic`, which gives some 2 % more light:
-`mesh-1m-matte` is the same with a ground that both have. Hair takes the same absorption in both.
+the runs, memory is the largest resident set, also in relation to what must be held at least: the most
+that Embree allocates (while it builds), and the scene's files. Mitsuba compiles its kernel in a
+picture of one sample before the timed one; *warm-up* is what that takes when the kernel is in its
+cache. Both trace the same geometry, lights and camera to the same depth, with a box filter of one
+pixel, Russian roulette from the second bounce; ours uses the zsobol sampler, Mitsuba its independent
+one. `mesh-1m` has a layered `coateddiffuse` ground here, and there `roughplastic`, which gives some
+2 % more light: `mesh-1m-matte` is the same with a ground that both have. Hair takes the same
+absorption in both.
 
 The error is the mean over the runs (each with its own seed) against a converged picture of the same
 renderer: *rel. MSE* is the mean over pixels and channels of (x - r)^2 / (r^2 + {error.EPSILON}), less
@@ -81,7 +83,11 @@ def quoted(scene, rows):
         return []
     theirs, mitsuba = ELSEWHERE[scene]
     return [["pbrt-v4 (elsewhere, scaled)", "", "", number(theirs * base.render / mitsuba)]
-            + [""] * 6]
+            + [""] * 7]
+
+
+def ratio(value):
+    return "" if value is None else f"{value:.2f}"
 
 
 def bare_line(bare, ours, threads):
@@ -97,10 +103,10 @@ def bare_line(bare, ours, threads):
 def comparison(scene, result, threads):
     rows, agreement = result.rows, result.agreement
     head = ["renderer", "load + build s", "warm-up s", "render s", "M rays/s", "peak MiB",
-            "rel. MSE", "trimmed", "FLIP", "efficiency"]
+            "/ (Embree + input)", "rel. MSE", "trimmed", "FLIP", "efficiency"]
     lines = [[r.renderer, number(r.load), number(r.warm_up), number(r.render),
-              number(r.rays_per_second * 1e-6), mib(r.peak), number(r.mse), number(r.trimmed),
-              number(r.flip), number(efficiency(r, rows))] for r in rows]
+              number(r.rays_per_second * 1e-6), mib(r.peak), ratio(r.memory_ratio), number(r.mse),
+              number(r.trimmed), number(r.flip), number(efficiency(r, rows))] for r in rows]
     text = f"### {scene}\n\n" + table(head, lines + quoted(scene, rows))
     if agreement:
         text += (f"\nPictures: ratio of the means {agreement.ratio:.4f}; largest difference of a "
@@ -123,16 +129,11 @@ def summary(results):
     return table(head, lines)
 
 
-def ratio(p):
-    """Of memory; left out where the program itself outweighs the scene."""
-    return f"{p.memory_ratio():.2f}" if p.traversal + p.input_bytes > 10**7 else ""
-
-
 def scaling_table(points):
     head = ["series", "size", "input MB", "load + build s", "ns a sample", "peak MiB",
             "peak / (Embree + input)", "relative variance"]
     return table(head, [[p.series, str(p.size), f"{p.input_bytes / 1e6:.1f}", number(p.load),
-                         f"{p.nanoseconds():.0f}", mib(p.peak), ratio(p),
+                         f"{p.nanoseconds():.0f}", mib(p.peak), ratio(p.memory_ratio()),
                          number(p.mse, 2)] for p in points])
 
 
@@ -161,7 +162,8 @@ def reading(points):
     for p in points:
         seconds = p.parse if "text" in p.series else p.load
         lines.append([p.series.split(",")[0], str(p.size), number(seconds),
-                      f"{p.size / seconds:.0f}", number(p.load), mib(p.peak), ratio(p)])
+                      f"{p.size / seconds:.0f}", number(p.load), mib(p.peak),
+                      ratio(p.memory_ratio())])
     return table(["what", "MB", "seconds", "MB/s", "with building, s", "peak MiB",
                   "peak / (Embree + input)"], lines)
 

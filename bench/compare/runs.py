@@ -3,6 +3,7 @@
 import dataclasses
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -17,7 +18,8 @@ BIN = ROOT / "build" / "bin"
 
 @dataclasses.dataclass
 class Run:
-    """One render: seconds, peak bytes of the process, and the picture in linear sRGB."""
+    """One render: seconds, peak bytes of the process, and the picture in linear sRGB. traversal: the
+    most that Embree held, which is while it built."""
 
     load: float
     render: float
@@ -59,7 +61,20 @@ def pbrt(scene, threads, spp, seed, options=()):
         s = json.loads(pathlib.Path(stats).read_text())
         return Run(s["parseSeconds"] + s["buildSeconds"], s["renderSeconds"], s["peakBytes"],
                    read_exr(picture), rays=s["closestHitRays"] + s["shadowRays"],
-                   traversal=s["traversalBytes"], parse=s["parseSeconds"])
+                   traversal=s["traversalPeakBytes"], parse=s["parseSeconds"])
+
+
+def input_bytes(scene):
+    """Of a .pbrt file and the files that it names."""
+    named = set(re.findall(r'"([^"\n]+\.\w+)"', scene.read_text()))
+    files = [scene] + [scene.parent / name for name in named]
+    return sum(f.stat().st_size for f in files if f.is_file())
+
+
+def memory_ratio(peak, traversal, given):
+    """Peak over what must be held, Embree's most and the input; None where the program itself, some
+    12 MiB, outweighs these."""
+    return peak / (traversal + given) if traversal + given > 10**7 else None
 
 
 def mitsuba(variant, scene, threads, spp, seed):

@@ -36,12 +36,7 @@ class Point:
         return self.render / self.samples * 1e9
 
     def memory_ratio(self):
-        """Peak over what must be held: Embree's part and the input."""
-        return self.peak / (self.traversal + self.input_bytes)
-
-
-def folder_bytes(folder):
-    return sum(f.stat().st_size for f in folder.iterdir())
+        return runs.memory_ratio(self.peak, self.traversal, self.input_bytes)
 
 
 def point(series, size, path, threads, seeds=(0, 1), spp=SPP, options=()):
@@ -49,7 +44,7 @@ def point(series, size, path, threads, seeds=(0, 1), spp=SPP, options=()):
     done = [runs.pbrt(path, threads, spp, seed, options) for seed in seeds]
     best = min(done, key=lambda r: r.render)
     pixels = best.picture.shape[0] * best.picture.shape[1]
-    result = Point(series, size, folder_bytes(path.parent), min(r.load for r in done), best.render,
+    result = Point(series, size, runs.input_bytes(path), min(r.load for r in done), best.render,
                    pixels * spp, max(r.peak for r in done), best.traversal,
                    min(r.parse for r in done))
     if len(done) > 1:

@@ -171,6 +171,7 @@ TEST_F(Program, StatsFileIsJsonOfWhatWasDone) {
     EXPECT_EQ(json.at("cameraSamples"), 16 * 8 * 4);
     EXPECT_GE(json.at("closestHitRays"), json.at("cameraSamples"));
     EXPECT_GT(json.at("peakBytes"), json.at("traversalBytes"));
+    EXPECT_GE(json.at("traversalPeakBytes"), json.at("traversalBytes"));
 }
 
 TEST_F(Program, StatsFileThatCannotBeWrittenIsToldBeforeRendering) {

@@ -52,7 +52,7 @@ struct AreaScene {
         : shape(std::move(shapeGiven)) {
         ParseString("WorldBegin\nAreaLightSource " + params + "\nShape \"sphere\"", "l.pbrt", "",
                     scene, log);
-        const Entity &entity = *scene.shapes.at(0).areaLight;
+        const Entity &entity = *scene.shapes.begin()->areaLight;
         ParamDict dict(entity.params, entity.loc, "area light \"" + entity.type + "\"",
                        entity.colorSpace, &log);
         lights = CreateAreaLights(entity.type, dict, shape, alpha);

@@ -8,7 +8,9 @@ namespace pbrt::test {
 /// The last unnamed material of a piece of scene text, made as the renderer makes it.
 struct MaterialText : TextureScene {
     explicit MaterialText(const std::string &world) : TextureScene(world) {
-        const Entity &entity = scene.materials.back();
+        Entity entity;
+        for (const Entity &e : scene.materials)
+            entity = e;
         ParamDict params(entity.params, entity.loc, "material \"" + entity.type + "\"",
                          entity.colorSpace, &log, scene.dir);
         material = CreateMaterial(entity.type, params, named);

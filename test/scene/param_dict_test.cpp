@@ -15,8 +15,8 @@ class Dict {
     explicit Dict(const std::string &own, const std::string &inherited = "")
         : parsed(
               Parse("Attribute \"material\" " + inherited + " WorldBegin\nMaterial \"m\"\n" + own)),
-          dict(parsed->scene.materials.at(0).params, parsed->scene.materials[0].loc,
-               "material \"m\"", parsed->scene.materials[0].colorSpace, &parsed->log) {
+          material(All(parsed->scene.materials).at(0)),
+          dict(material.params, material.loc, "material \"m\"", material.colorSpace, &parsed->log) {
         EXPECT_EQ(parsed->Messages(), Texts{}) << own;
     }
     ParamDict *operator->() { return &dict; }
@@ -24,6 +24,7 @@ class Dict {
 
   private:
     std::unique_ptr<Parsed> parsed;
+    Entity material;
     ParamDict dict;
 };
 
@@ -220,7 +221,7 @@ TEST(ParamDict, FileNamesStartFromTheScenesFolder) {
         "Material \"m\" \"string filename\" \"param_dict_test.cpp\" "
         "\"string other\" \"none.exr\" \"string absolute\" \"/x\"");
     const std::string dir = std::string(PBRT_SOURCE_DIR) + "/test/scene";
-    const Entity &m = parsed->scene.materials.at(0);
+    const Entity m = All(parsed->scene.materials).at(0);
     ParamDict d(m.params, m.loc, "material \"m\"", m.colorSpace, &parsed->log, dir);
     EXPECT_EQ(d.GetFileName("filename"), dir + "/param_dict_test.cpp");
     EXPECT_EQ(d.GetFileName("other"), "none.exr");
@@ -254,7 +255,7 @@ TEST(ParamDict, WhatTheParserRefusedIsNotReportedAgain) {
     const auto parsed =
         ParseWorld(R"(Material "m" "float f" x "point3 P" [ 1 2 x ] "rgb c" [ x ])");
     EXPECT_EQ(parsed->Messages().size(), 3u);
-    const Entity &m = parsed->scene.materials.at(0);
+    const Entity m = All(parsed->scene.materials).at(0);
     ParamDict d(m.params, m.loc, "material \"m\"", m.colorSpace, &parsed->log);
     EXPECT_TRUE(d.Has("P"));
     EXPECT_EQ(d.GetOneFloat("f", 7), 7);

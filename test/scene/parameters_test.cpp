@@ -12,17 +12,17 @@ std::unique_ptr<Parsed> ParseShape(const std::string &list) {
     return ParseWorld("Shape \"s\" " + list);
 }
 
-const ParsedParameter &Only(const Parsed &parsed) {
+ParsedParameter Only(const Parsed &parsed) {
     EXPECT_EQ(parsed.Messages(), Texts{});
-    EXPECT_EQ(parsed.scene.shapes.at(0).params.size(), 1u);
-    return parsed.scene.shapes.at(0).params.at(0);
+    EXPECT_EQ(All(parsed.scene.shapes).at(0).params.size(), 1u);
+    return All(parsed.scene.shapes).at(0).params.at(0);
 }
 
 TEST(Parameters, FloatTypesFillFloats) {
     for (const char *type : {"float", "point2", "point3", "vector2", "vector3", "normal", "rgb",
                              "blackbody", "spectrum"}) {
         const auto parsed = ParseShape('"' + std::string(type) + " a\" [ 1 -2.5 0x1p-1 ]");
-        const ParsedParameter &p = Only(*parsed);
+        const ParsedParameter p = Only(*parsed);
         EXPECT_EQ(p.type, type);
         EXPECT_EQ(p.name, "a");
         EXPECT_EQ(p.floats, (std::vector<float>{1, -2.5, .5}));
@@ -52,7 +52,7 @@ TEST(Parameters, BlanksInDeclarationsAreFree) {
 
 TEST(Parameters, KnowTheirPlaces) {
     const auto parsed = ParseShape("\"float a\"\n  [ 1 2 ] \"integer b\" 7");
-    const ParsedParameters &p = parsed->scene.shapes.at(0).params;
+    const ParsedParameters p = All(parsed->scene.shapes).at(0).params;
     ASSERT_EQ(p.size(), 2u);
     EXPECT_EQ(p[0].loc, (FileLoc{"test.pbrt", 2, 11}));
     EXPECT_EQ(p[0].valueLoc, (FileLoc{"test.pbrt", 3, 5}));
@@ -107,7 +107,7 @@ TEST(Parameters, EachMistakeIsReportedOnceAndReadingGoesOn) {
                                        " \"integer good\" 7\nShape \"next\"");
         EXPECT_EQ(parsed->Messages(), Texts{"test.pbrt:2:" + std::string(c.message)}) << c.list;
         ASSERT_EQ(parsed->scene.shapes.size(), 2u) << c.list;
-        const ParsedParameters &p = parsed->scene.shapes[0].params;
+        const ParsedParameters p = All(parsed->scene.shapes)[0].params;
         ASSERT_FALSE(p.empty()) << c.list;
         EXPECT_EQ(p.back().ints, std::vector<int>{7}) << c.list;
     }
@@ -115,8 +115,8 @@ TEST(Parameters, EachMistakeIsReportedOnceAndReadingGoesOn) {
 
 TEST(Parameters, AWrongOneIsKeptWithoutValues) {
     const auto parsed = ParseShape(R"("float a" x)");
-    ASSERT_EQ(parsed->scene.shapes.at(0).params.size(), 1u);
-    EXPECT_TRUE(parsed->scene.shapes[0].params[0].floats.empty());
+    ASSERT_EQ(All(parsed->scene.shapes).at(0).params.size(), 1u);
+    EXPECT_TRUE(All(parsed->scene.shapes)[0].params[0].floats.empty());
 }
 
 TEST(Parameters, AMissingValueOrBracketDoesNotSwallowWhatFollows) {
@@ -143,7 +143,7 @@ TEST(Parameters, AnUnclosedStringIsReportedOnce) {
               (Texts{"test.pbrt:2:22: the string \"x\" is not closed before the end of its line",
                      "test.pbrt:3:13: the string \"float c\" is not closed before the end of its "
                      "line"}));
-    EXPECT_EQ(parsed->scene.shapes.at(0).params.size(), 3u);
+    EXPECT_EQ(All(parsed->scene.shapes).at(0).params.size(), 3u);
 }
 
 }  // namespace

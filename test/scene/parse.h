@@ -31,6 +31,12 @@ inline std::unique_ptr<Parsed> ParseWorld(std::string_view text, std::string_vie
     return Parse("WorldBegin\n" + std::string(text), dir);
 }
 
+/// A queue's entities, which stay in it.
+template <typename E>
+std::vector<E> All(const EntityQueue<E> &queue) {
+    return {queue.begin(), queue.end()};
+}
+
 using Texts = std::vector<std::string>;
 
 }  // namespace pbrt

@@ -11,7 +11,7 @@ namespace {
 Transform ShapeTransform(const std::string &world, int time = 0) {
     const auto parsed = ParseWorld(world + "\nShape \"a\"");
     EXPECT_EQ(parsed->Messages(), Texts{}) << world;
-    return parsed->scene.shapes.at(0).worldFromObject[time];
+    return All(parsed->scene.shapes).at(0).worldFromObject[time];
 }
 
 void ExpectNear(const Matrix4 &a, const Matrix4 &b) {
@@ -59,8 +59,8 @@ TEST(State, WorldBeginForgetsTheCamerasTransform) {
     const auto parsed = Parse(
         "Translate 1 2 3 ActiveTransform EndTime Camera \"perspective\" "
         "WorldBegin Scale 2 2 2 Shape \"a\"");
-    EXPECT_EQ(parsed->scene.shapes.at(0).worldFromObject[0], *Transform::Scale({2, 2, 2}));
-    EXPECT_EQ(parsed->scene.shapes[0].worldFromObject[1], *Transform::Scale({2, 2, 2}));
+    EXPECT_EQ(All(parsed->scene.shapes).at(0).worldFromObject[0], *Transform::Scale({2, 2, 2}));
+    EXPECT_EQ(All(parsed->scene.shapes)[0].worldFromObject[1], *Transform::Scale({2, 2, 2}));
     EXPECT_EQ(parsed->scene.cameraFromWorld[0], Transform::Translate({1, 2, 3}));
 }
 
@@ -93,15 +93,16 @@ TEST(State, CameraAndWorldArePredefined) {
         "CoordSysTransform \"camera\" Shape \"a\" "
         "CoordSysTransform \"world\" Shape \"b\"");
     EXPECT_EQ(parsed->Messages(), Texts{});
-    EXPECT_EQ(parsed->scene.shapes.at(0).worldFromObject[0], Transform::Translate({-1, -2, -3}));
-    EXPECT_TRUE(parsed->scene.shapes.at(1).worldFromObject[0].IsIdentity());
+    EXPECT_EQ(All(parsed->scene.shapes).at(0).worldFromObject[0],
+              Transform::Translate({-1, -2, -3}));
+    EXPECT_TRUE(All(parsed->scene.shapes).at(1).worldFromObject[0].IsIdentity());
 }
 
 TEST(State, CoordinateSystemsOutliveScopes) {
     const auto parsed = ParseWorld(
         "AttributeBegin Translate 1 0 0 CoordinateSystem \"c\" "
         "AttributeEnd CoordSysTransform \"c\" Shape \"a\"");
-    EXPECT_EQ(parsed->scene.shapes.at(0).worldFromObject[0], Transform::Translate({1, 0, 0}));
+    EXPECT_EQ(All(parsed->scene.shapes).at(0).worldFromObject[0], Transform::Translate({1, 0, 0}));
 }
 
 TEST(State, UnknownCoordinateSystemIsAWarning) {
@@ -110,7 +111,7 @@ TEST(State, UnknownCoordinateSystemIsAWarning) {
               Texts{"test.pbrt:3:19: CoordSysTransform: no coordinate system \"Camra\"; the "
                     "transformation stays as it was"});
     EXPECT_FALSE(parsed->log.HasErrors());
-    EXPECT_EQ(parsed->scene.shapes.at(0).worldFromObject[0], Transform::Translate({1, 0, 0}));
+    EXPECT_EQ(All(parsed->scene.shapes).at(0).worldFromObject[0], Transform::Translate({1, 0, 0}));
 }
 
 TEST(State, MovingLightsAndTexturesUseTheStart) {
@@ -144,7 +145,7 @@ TEST(State, AttributeScopesRestoreEverything) {
         AttributeEnd
         Shape "outer")");
     EXPECT_EQ(parsed->Messages(), Texts{});
-    const auto &s = parsed->scene.shapes;
+    const auto s = All(parsed->scene.shapes);
     ASSERT_EQ(s.size(), 3u);
     EXPECT_FALSE(s[0].reverseOrientation);
     EXPECT_EQ(s[0].worldFromObject[0],
@@ -167,7 +168,7 @@ TEST(State, TransformBeginIsAttributeBeginWithOneWarning) {
               Texts{"test.pbrt:2:1: TransformBegin and TransformEnd are read as AttributeBegin and "
                     "AttributeEnd: pbrt-v4 has only these"});
     EXPECT_FALSE(parsed->log.HasErrors());
-    EXPECT_TRUE(parsed->scene.shapes.at(0).worldFromObject[0].IsIdentity());
+    EXPECT_TRUE(All(parsed->scene.shapes).at(0).worldFromObject[0].IsIdentity());
 }
 
 TEST(State, AttributesFollowTheOwnParametersOfEachKind) {
@@ -194,11 +195,11 @@ TEST(State, AttributesFollowTheOwnParametersOfEachKind) {
         return text;
     };
     const Description &d = parsed->scene;
-    EXPECT_EQ(names(d.shapes.at(0)), "own0a1b2a7");
-    EXPECT_EQ(names(d.shapes.at(1)), "a1b2");
+    EXPECT_EQ(names(All(d.shapes).at(0)), "own0a1b2a7");
+    EXPECT_EQ(names(All(d.shapes).at(1)), "a1b2");
     EXPECT_EQ(names(d.lights.at(0)), "c3");
-    EXPECT_EQ(names(*d.shapes[1].areaLight), "c3");
-    EXPECT_EQ(names(d.materials.at(0)), "d4");
+    EXPECT_EQ(names(*All(d.shapes)[1].areaLight), "c3");
+    EXPECT_EQ(names(All(d.materials).at(0)), "d4");
     EXPECT_EQ(names(d.namedMaterials.at(0)), "d4");
     EXPECT_EQ(names(d.textures.at(0)), "e5");
 }
@@ -206,7 +207,7 @@ TEST(State, AttributesFollowTheOwnParametersOfEachKind) {
 TEST(State, AttributesBeforeWorldBeginHold) {
     const auto parsed = Parse("Attribute \"shape\" \"float a\" 1 WorldBegin Shape \"s\"");
     EXPECT_EQ(parsed->Messages(), Texts{});
-    EXPECT_EQ(parsed->scene.shapes.at(0).params.size(), 1u);
+    EXPECT_EQ(All(parsed->scene.shapes).at(0).params.size(), 1u);
 }
 
 TEST(State, MatrixInverseBelongsToTheMatrix) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "pbrt/accel/impl.h"
 
 namespace pbrt {
@@ -17,7 +19,7 @@ void NoteError(void *user, RTCError code, const char *text) {
 }
 
 bool NoteMemory(void *user, ssize_t bytes, bool) {
-    static_cast<std::atomic<int64_t> *>(user)->fetch_add(bytes, std::memory_order_relaxed);
+    static_cast<MemoryUse *>(user)->Add(bytes);
     return true;
 }
 
@@ -91,7 +93,7 @@ void Accel::Impl::Build(int nThreads) {
         return;
     }
     rtcSetDeviceErrorFunction(device, NoteError, &error);
-    rtcSetDeviceMemoryMonitorFunction(device, NoteMemory, &bytes);
+    rtcSetDeviceMemoryMonitorFunction(device, NoteMemory, &memory);
     records.reserve(geometries.size());
     for (const Geometry &g : geometries) {
         const bool hasAlpha = !g.alpha.IsConstant() || g.alpha.Constant() < 1;
@@ -128,7 +130,7 @@ RTCGeometry Accel::Impl::NewGeometry(const GeometryRecord &record) {
         geometry = NewTriangles(device, *triangles);
     } else if (const auto *set = std::get_if<CurveSet>(&shape)) {
         curves.push_back({record, CurveChords(*set)});
-        bytes += int64_t(curves.back().chords.Bytes());
+        memory.Add(int64_t(curves.back().chords.Bytes()));
         return NewCurves(device, &curves.back());
     } else {
         if (IsUserGeometry(shape)) return NewBentPatches(device, &record);
@@ -149,13 +151,14 @@ RTCScene Accel::Impl::NewScene(uint32_t first, uint32_t last, uint32_t quadricsI
     rtcSetSceneBuildQuality(s, RTC_BUILD_QUALITY_MEDIUM);
     rtcSetSceneFlags(s, RTC_SCENE_FLAG_ROBUST);
     QuadricSet set;
+    set.reserve(size_t(std::count_if(geometries.begin() + first, geometries.begin() + last,
+                                     [](const Geometry &g) { return QuadricTransform(g.shape); })));
     for (uint32_t i = first; i < last; ++i) {
         GeometryRecord &record = records[i];
         record.local = i - first;
         if (IsInvisible(*record.geometry)) continue;
         if (const Transform *const placed = QuadricTransform(record.geometry->shape))
-            set.push_back({record, ObjectFromRender(*placed),
-                           record.hasAlpha ? std::nullopt : Ball::Of(record.geometry->shape)});
+            set.emplace_back(record, *placed);
         else
             Attach(s, NewGeometry(record), record.local);
     }
@@ -201,7 +204,11 @@ Bounds3f Accel::WorldBounds() const {
 }
 
 size_t Accel::MemoryBytes() const {
-    return size_t(std::max<int64_t>(0, impl->bytes.load()));
+    return size_t(std::max<int64_t>(0, impl->memory.now));
+}
+
+size_t Accel::PeakMemoryBytes() const {
+    return size_t(impl->memory.most);
 }
 
 void *Accel::EmbreeScene() const {

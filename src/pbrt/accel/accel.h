@@ -92,8 +92,9 @@ class Accel {
     bool HasGaps() const { return hasGaps; }
 
     Bounds3f WorldBounds() const;
-    size_t MemoryBytes() const;  ///< what traversal holds beside the shapes
-    void *EmbreeScene() const;   ///< the RTCScene, for benchmarks of Embree alone
+    size_t MemoryBytes() const;      ///< what traversal holds beside the shapes
+    size_t PeakMemoryBytes() const;  ///< the most it held, which is while Embree builds
+    void *EmbreeScene() const;       ///< the RTCScene, for benchmarks of Embree alone
 
   private:
     LaneBits IntersectSingly(const RayPacket &rays, LaneBits active, HitPacket *hits) const;

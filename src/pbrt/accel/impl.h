@@ -9,6 +9,19 @@
 
 namespace pbrt {
 
+/// Bytes allocated, counted by any number of threads.
+struct MemoryUse {
+    std::atomic<int64_t> now{0}, most{0};
+
+    void Add(int64_t bytes) {
+        const int64_t sum = now.fetch_add(bytes, std::memory_order_relaxed) + bytes;
+        int64_t before = most.load(std::memory_order_relaxed);
+        while (before < sum &&
+               !most.compare_exchange_weak(before, sum, std::memory_order_relaxed)) {
+        }
+    }
+};
+
 struct Accel::Impl {
     std::span<const Geometry> geometries;
     std::span<const ObjectRange> objects;
@@ -21,7 +34,7 @@ struct Accel::Impl {
     std::vector<GeometryRecord> records;  ///< one a geometry
     std::deque<QuadricSet> quadrics;      ///< one a scene that has some
     std::deque<CurveRecord> curves;       ///< one a set of curves
-    std::atomic<int64_t> bytes{0};        ///< of Embree and of `curves`
+    MemoryUse memory;                     ///< of Embree and of `curves`
     std::string error;
 
     Impl(std::span<const Geometry> geometries, uint32_t nTop, std::span<const ObjectRange> objects,

@@ -19,8 +19,8 @@ struct QuadricPrimitive {
     const GeometryRecord &Record() const { return quadric.common; }
     uint32_t Index(unsigned) const { return 0; }
     RayD ToObject(const Ray &ray) const {
-        return {quadric.objectFromRender.Point(ToDouble(ray.o)),
-                quadric.objectFromRender.Vector(ToDouble(ray.d)), 0, ray.tMax};
+        return {quadric.objectFromRender->Point(ToDouble(ray.o)),
+                quadric.objectFromRender->Vector(ToDouble(ray.d)), 0, ray.tMax};
     }
     std::optional<UserHit> Meet(const RayD &ray) const {
         const Shape &shape = quadric.common.geometry->shape;
@@ -168,6 +168,12 @@ RTCGeometry NewUserGeometry(RTCDevice device, const void *user, size_t count,
 }
 
 }  // namespace
+
+QuadricRecord::QuadricRecord(const GeometryRecord &record, const Transform &renderFromObject)
+    : common(record), ball(record.hasAlpha ? std::nullopt : Ball::Of(record.geometry->shape)) {
+    if (!ball || record.geometry->passesLight)
+        objectFromRender = std::make_unique<ObjectFromRender>(renderFromObject);
+}
 
 RTCGeometry NewQuadrics(RTCDevice device, const QuadricSet *quadrics) {
     return NewUserGeometry(device, quadrics, quadrics->size(), QuadricBounds, IntersectQuadrics,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <memory>
 #include <vector>
 
 #include "pbrt/accel/ball.h"
@@ -12,8 +13,11 @@ namespace pbrt {
 /// One sphere, disk or cylinder in a scene's set of them.
 struct QuadricRecord {
     GeometryRecord common;
-    ObjectFromRender objectFromRender;
     std::optional<Ball> ball;  ///< where it is one and without alpha
+    /// What a ball that lets no light through does not need.
+    std::unique_ptr<const ObjectFromRender> objectFromRender;
+
+    QuadricRecord(const GeometryRecord &record, const Transform &renderFromObject);
 };
 
 /// All quadrics of one Embree scene: one geometry, however many there are. Hits carry the

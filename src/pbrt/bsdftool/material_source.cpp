@@ -13,23 +13,23 @@ namespace pbrt::bsdftool {
 namespace {
 
 struct Candidate {
-    const Entity *entity;
-    std::string_view name;  ///< empty for those of `Material`
+    Entity entity;
+    std::string name;  ///< empty for those of `Material`
 };
 
 /// The scene's materials in the order of their lines (of one file; each file's by themselves).
 std::vector<Candidate> MaterialsOf(const Description &scene) {
     std::vector<Candidate> all;
     for (const NamedMaterialEntity &e : scene.namedMaterials)
-        all.push_back({&e, e.name});
+        all.push_back({e, e.name});
     for (const Entity &e : scene.materials)
-        all.push_back({&e, {}});
+        all.push_back({e, {}});
     const auto file = [&](const Candidate &c) {
-        return std::find(scene.fileNames.begin(), scene.fileNames.end(), c.entity->loc.file) -
+        return std::find(scene.fileNames.begin(), scene.fileNames.end(), c.entity.loc.file) -
                scene.fileNames.begin();
     };
     std::stable_sort(all.begin(), all.end(), [&](const Candidate &a, const Candidate &b) {
-        const FileLoc &la = a.entity->loc, &lb = b.entity->loc;
+        const FileLoc &la = a.entity.loc, &lb = b.entity.loc;
         return std::tuple(file(a), la.line, la.column) < std::tuple(file(b), lb.line, lb.column);
     });
     return all;
@@ -63,8 +63,8 @@ std::optional<Candidate> Choose(const std::vector<Candidate> &all, const std::st
     if (pick.empty()) return all.front();
     std::vector<std::string_view> known;
     for (const Candidate &c : all) {
-        if (c.name == pick || c.entity->type == pick) return c;
-        known.push_back(c.name.empty() ? std::string_view(c.entity->type) : c.name);
+        if (c.name == pick || c.entity.type == pick) return c;
+        known.push_back(c.name.empty() ? c.entity.type : c.name);
     }
     std::sort(known.begin(), known.end());
     known.erase(std::unique(known.begin(), known.end()), known.end());
@@ -82,7 +82,7 @@ std::optional<MaterialSource> ReadMaterial(const std::string &source, const std:
     if (log.ErrorCount() > before) return {};
     const auto chosen = Choose(MaterialsOf(scene), source, pick, log);
     if (!chosen) return {};
-    const Entity &entity = *chosen->entity;
+    const Entity &entity = chosen->entity;
     if (entity.type == InterfaceMaterial::kName) {
         log.Error(entity.loc, "an interface scatters nothing");
         return {};

@@ -9,29 +9,11 @@ namespace {
 
 constexpr NumberRow kAlpha{"alpha", "", 1, 0, 1, "coverage: below 1 is a random cut-out"};
 
-/// A named material knows those defined before it, an unnamed one all.
-MaterialId AddMaterial(const Entity &entity, const Description &scene,
-                       const NamedTextures &textures, const NamedMaterials &named, World &world,
-                       Diagnostics &log) {
-    if (entity.type == InterfaceMaterial::kName) return kInterfaceId;
-    ParamDict params(entity.params, entity.loc, fmt::format("material \"{}\"", entity.type),
-                     entity.colorSpace, &log, scene.dir);
-    if (entity.type == MixMaterial::kName) {
-        world.mixes.push_back(MixMaterial::Create(params, textures, named));
-        params.ReportUnused();
-        return kFirstMix + int(world.mixes.size()) - 1;
-    }
-    std::optional<Material> material = CreateMaterial(entity.type, params, textures);
-    if (!material) return kMissingMaterialId;
-    world.materials.push_back(std::move(*material));
-    return int(world.materials.size()) - 1;
-}
-
 /// Builds geometries; keeps what the many shapes of a scene have in common.
 class ShapeBuilder {
   public:
-    ShapeBuilder(const Description &scene, const NamedTextures &textures,
-                 const MaterialTable &materials, World &world, Diagnostics &log)
+    ShapeBuilder(Description &scene, const NamedTextures &textures, const MaterialTable &materials,
+                 World &world, Diagnostics &log)
         : scene(scene), textures(textures), materials(materials), world(world), log(log) {}
 
     void Add(const ShapeEntity &entity, const Transform &renderFromObject, bool instanced) {
@@ -81,18 +63,33 @@ class ShapeBuilder {
     }
 
     void AddObjects() {
-        for (const auto &[name, object] : scene.objects) {
+        for (auto &[name, object] : scene.objects) {
             std::vector<ObjectPart> &made = parts[name];
             const uint32_t first = StartObject();
-            for (const ShapeEntity &entity : object.shapes)
-                if (!Moves(entity)) Add(entity, entity.worldFromObject[0], true);
+            const std::vector<ShapeEntity> moving = AddResting(object.shapes, nullptr);
             made.push_back({FinishObject(first), {}});
-            for (const ShapeEntity &entity : object.shapes)
-                if (Moves(entity)) made.push_back({AddMovingShape(entity), entity.worldFromObject});
+            for (const ShapeEntity &entity : moving)
+                made.push_back({AddMovingShape(entity), entity.worldFromObject});
         }
     }
 
-    void AddMovingShapes(const std::deque<ShapeEntity> &shapes, const Transform &renderFromWorld) {
+    /// Takes the shapes and returns those that move. `renderFromWorld`: null for an object's.
+    std::vector<ShapeEntity> AddResting(EntityQueue<ShapeEntity> &shapes,
+                                        const Transform *renderFromWorld) {
+        std::vector<ShapeEntity> moving;
+        while (!shapes.empty()) {
+            const ShapeEntity &entity = shapes.Take();
+            const Transform &t = entity.worldFromObject[0];
+            if (Moves(entity))
+                moving.push_back(entity);
+            else
+                Add(entity, renderFromWorld ? *renderFromWorld * t : t, !renderFromWorld);
+        }
+        shapes = {};
+        return moving;
+    }
+
+    void AddMovingShapes(const std::vector<ShapeEntity> &shapes, const Transform &renderFromWorld) {
         for (const ShapeEntity &entity : shapes) {
             if (entity.areaLight) log.Error(entity.loc, "moving area lights are not supported");
             const TransformPair &t = entity.worldFromObject;
@@ -100,13 +97,12 @@ class ShapeBuilder {
         }
     }
 
-    static bool Moves(const ShapeEntity &entity) {
-        return !(entity.worldFromObject[0] == entity.worldFromObject[1]);
-    }
-
     std::vector<EmissiveShape> emitters;
 
   private:
+    static bool Moves(const ShapeEntity &entity) {
+        return !(entity.worldFromObject[0] == entity.worldFromObject[1]);
+    }
     /// What an object consists of: its resting shapes together, each moving one by itself.
     struct ObjectPart {
         uint32_t object;  ///< index into World::objects
@@ -134,9 +130,12 @@ class ShapeBuilder {
         world.instances.push_back(std::move(instance));
     }
 
-    /// The parser has seen to it that named materials exist.
+    /// The parser has reported names that are not defined.
     MaterialId MaterialOf(const ShapeEntity &entity) {
-        if (!entity.namedMaterial.empty()) return materials.named.at(entity.namedMaterial);
+        if (!entity.namedMaterial.empty()) {
+            const auto named = materials.named.find(entity.namedMaterial);
+            return named == materials.named.end() ? materials.fallback : named->second;
+        }
         return entity.material < 0 ? materials.fallback : materials.unnamed[entity.material];
     }
 
@@ -154,7 +153,7 @@ class ShapeBuilder {
         return Append(*more, into);
     }
 
-    const Description &scene;
+    Description &scene;
     const NamedTextures &textures;
     const MaterialTable &materials;
     World &world;
@@ -165,30 +164,13 @@ class ShapeBuilder {
 
 }  // namespace
 
-MaterialTable BuildMaterials(const Description &scene, const NamedTextures &textures, World &world,
-                             Diagnostics &log) {
-    MaterialTable table;
-    world.materials.push_back(DiffuseMaterial{});
-    for (const NamedMaterialEntity &entity : scene.namedMaterials)
-        table.named[entity.name] = AddMaterial(entity, scene, textures, table.named, world, log);
-    for (const Entity &entity : scene.materials)
-        table.unnamed.push_back(AddMaterial(entity, scene, textures, table.named, world, log));
-    return table;
-}
-
 std::vector<EmissiveShape> BuildShapes(Description &scene, const NamedTextures &textures,
                                        const MaterialTable &materials, World &world,
                                        Diagnostics &log) {
+    world.geometries.reserve(scene.shapes.size());  // growing, they would be there twice
     ShapeBuilder builder(scene, textures, materials, world, log);
     const Transform &renderFromWorld = world.camera.RenderFromWorld();
-    std::deque<ShapeEntity> moving;
-    for (; !scene.shapes.empty(); scene.shapes.pop_front()) {
-        ShapeEntity &entity = scene.shapes.front();
-        if (ShapeBuilder::Moves(entity))
-            moving.push_back(std::move(entity));
-        else
-            builder.Add(entity, renderFromWorld * entity.worldFromObject[0], false);
-    }
+    const std::vector<ShapeEntity> moving = builder.AddResting(scene.shapes, &renderFromWorld);
     builder.AddObjects();
     builder.AddMovingShapes(moving, renderFromWorld);
     for (const InstanceUse &use : scene.instances)

@@ -14,7 +14,8 @@ struct MaterialTable {
     NamedMaterials named;
     MaterialId fallback = 0;  ///< the default material, diffuse 0.5
 };
-MaterialTable BuildMaterials(const Description &scene, const NamedTextures &textures, World &world,
+/// Takes the unnamed ones out of the description; of those that say the same, one is made.
+MaterialTable BuildMaterials(Description &scene, const NamedTextures &textures, World &world,
                              Diagnostics &log);
 
 struct EmissiveShape {
@@ -22,8 +23,7 @@ struct EmissiveShape {
     std::shared_ptr<const Entity> areaLight;
 };
 /// Fills World::geometries (those of the top level first), objects and instances; nested instances
-/// are flattened, since Embree nests them one deep only. Takes the top level's shapes out of the
-/// description one by one: as text, millions of them need more memory than built.
+/// are flattened, since Embree nests them one deep only. Takes the shapes out of the description.
 std::vector<EmissiveShape> BuildShapes(Description &scene, const NamedTextures &textures,
                                        const MaterialTable &materials, World &world,
                                        Diagnostics &log);

@@ -27,6 +27,7 @@ Statistics CollectStatistics(const World &world, const RenderStats &render, doub
     s.render = render;
     s.peakBytes = PeakBytes();
     s.traversalBytes = int64_t(world.accel->MemoryBytes());
+    s.traversalPeakBytes = int64_t(world.accel->PeakMemoryBytes());
     return s;
 }
 
@@ -38,9 +39,10 @@ std::string StatisticsText(const Statistics &s) {
         "Parse          {:10.3f} s\nBuild          {:10.3f} s\nRender         {:10.3f} s\n"
         "Camera samples {:10.3f} M   {:8.3f} M/s\n"
         "Rays           {:10.3f} M   {:8.3f} M/s (closest hit {:.3f} M, shadow {:.3f} M)\n"
-        "Memory         {:10.1f} MiB peak, of which traversal {:.1f} MiB\n",
+        "Memory         {:10.1f} MiB peak; traversal {:.1f} MiB, {:.1f} MiB while built\n",
         s.parseSeconds, s.buildSeconds, seconds, samples, samples / seconds, rays, rays / seconds,
-        closest, shadow, s.peakBytes / 1048576.0, s.traversalBytes / 1048576.0);
+        closest, shadow, s.peakBytes / 1048576.0, s.traversalBytes / 1048576.0,
+        s.traversalPeakBytes / 1048576.0);
 }
 
 std::string StatisticsJson(const Statistics &s) {
@@ -51,7 +53,8 @@ std::string StatisticsJson(const Statistics &s) {
                                          {"closestHitRays", s.render.rays.closest},
                                          {"shadowRays", s.render.rays.shadow},
                                          {"peakBytes", s.peakBytes},
-                                         {"traversalBytes", s.traversalBytes}};
+                                         {"traversalBytes", s.traversalBytes},
+                                         {"traversalPeakBytes", s.traversalPeakBytes}};
     return json.dump(2) + "\n";
 }
 

@@ -11,8 +11,9 @@ namespace pbrt {
 struct Statistics {
     double parseSeconds = 0, buildSeconds = 0;
     RenderStats render;
-    int64_t peakBytes = 0;       ///< largest resident set of the process so far; 0: unknown
-    int64_t traversalBytes = 0;  ///< allocated by Embree
+    int64_t peakBytes = 0;           ///< largest resident set of the process so far; 0: unknown
+    int64_t traversalBytes = 0;      ///< held for traversal, mostly by Embree
+    int64_t traversalPeakBytes = 0;  ///< the most it was, while it was built
 };
 
 /// Statistics of this process now, for a world that has been rendered.
@@ -23,7 +24,7 @@ Statistics CollectStatistics(const World &world, const RenderStats &render, doub
 std::string StatisticsText(const Statistics &s);
 
 /// One JSON object for programs: parseSeconds, buildSeconds, renderSeconds, cameraSamples,
-/// closestHitRays, shadowRays, peakBytes, traversalBytes.
+/// closestHitRays, shadowRays, peakBytes, traversalBytes, traversalPeakBytes.
 std::string StatisticsJson(const Statistics &s);
 
 }  // namespace pbrt

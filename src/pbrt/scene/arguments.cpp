@@ -41,11 +41,13 @@ Entity Parser::EntityOfType(std::string type) {
             builder.ColorSpace()};
 }
 
-bool Parser::NextNumber(float *value, std::string_view which) {
+template <typename Describe>
+bool Parser::NextNumber(float *value, Describe describe) {
     const Token &t = lexer->Peek();
-    if (t.kind != TokenKind::Word || IsDirective(t)) return Expected(which), false;
-    const std::optional<float> number = ParseFloat(t.text);
-    if (!number) Error(lexer->Loc(), fmt::format("{}: {}", which, WhyNotFloat(t.text)));
+    const bool word = t.kind == TokenKind::Word;
+    const std::optional<float> number = word ? ParseFloat(t.text) : std::nullopt;
+    if (!number && (!word || IsDirective(t))) return Expected(describe()), false;
+    if (!number) Error(lexer->Loc(), fmt::format("{}: {}", describe(), WhyNotFloat(t.text)));
     *value = number.value_or(0);
     lexer->Advance();
     return number.has_value();
@@ -54,8 +56,9 @@ bool Parser::NextNumber(float *value, std::string_view which) {
 std::optional<std::vector<float>> Parser::Numbers(std::span<const std::string_view> labels) {
     std::vector<float> numbers(labels.size());
     for (size_t i = 0; i < labels.size(); ++i) {
-        const std::string which =
-            fmt::format("number {} of {} ({})", i + 1, labels.size(), labels[i]);
+        const auto which = [&] {
+            return fmt::format("number {} of {} ({})", i + 1, labels.size(), labels[i]);
+        };
         if (!NextNumber(&numbers[i], which)) return Resynchronise(), std::nullopt;
     }
     return numbers;
@@ -71,7 +74,7 @@ std::optional<Matrix4> Parser::BracketedMatrix() {
     depth = 1;
     Matrix4 m;
     for (int i = 0; i < 16; ++i)
-        if (!NextNumber(&m[i % 4][i / 4], fmt::format("number {} of 16", i + 1)))
+        if (!NextNumber(&m[i % 4][i / 4], [&] { return fmt::format("number {} of 16", i + 1); }))
             return Resynchronise(), std::nullopt;
     if (lexer->Peek().kind != TokenKind::Close) {
         Expected("\"]\" after the 16 numbers of a matrix");

@@ -154,7 +154,7 @@ bool SceneBuilder::Define(Places *places, std::string_view kind, const std::stri
 
 void SceneBuilder::Shape(Entity shape) {
     Inherit(AttributeTarget::Shape, &shape);
-    ShapeEntity &s = (object ? object->shapes : scene->shapes).emplace_back();
+    ShapeEntity s;
     static_cast<Entity &>(s) = std::move(shape);
     s.worldFromObject = state.ctm;
     s.reverseOrientation = state.reverseOrientation;
@@ -164,14 +164,14 @@ void SceneBuilder::Shape(Entity shape) {
         if (materialUses.empty() || materialUses.back().second != state.namedMaterialLoc)
             materialUses.emplace_back(state.namedMaterial, state.namedMaterialLoc);
     }
-    if (!state.areaLight) return;
-    if (object)
+    if (state.areaLight && object)
         log->Warning(s.loc,
                      "area lights are not instanced: this shape of an object does not shine");
-    else if (IsMoving())
+    else if (state.areaLight && IsMoving())
         log->Error(s.loc, "a moving shape cannot be an area light");
     else
         s.areaLight = state.areaLight;
+    (object ? object->shapes : scene->shapes).Append(s);
 }
 
 void SceneBuilder::LightSource(Entity light) {
@@ -191,7 +191,7 @@ void SceneBuilder::Material(Entity material) {
     Inherit(AttributeTarget::Material, &material);
     state.material = int(scene->materials.size());
     state.namedMaterial.clear();
-    scene->materials.push_back(std::move(material));
+    scene->materials.Append(material);
 }
 
 void SceneBuilder::MakeNamedMaterial(const std::string &name, Entity material) {

@@ -60,9 +60,8 @@ class SceneBuilder {
     /// Between the two, a file is read whose changes of state and coordinate systems stay inside.
     void BeginImport();
     void EndImport();
-    /// After the last file: what is left open, undefined or contains itself is reported. The
-    /// description is then consistent: undefined materials are the default one, uses of undefined
-    /// objects and uses that close a circle are left out.
+    /// After the last file: what is left open, undefined or contains itself is reported. Uses of
+    /// undefined objects and uses that close a circle are left out.
     void Finish();
 
   private:

@@ -54,17 +54,6 @@ void SceneBuilder::CheckMaterialUses() {
         if (!namedMaterials.contains(name) && reported.insert(name).second)
             log->Error(loc, fmt::format("material \"{}\" is not defined{}", name,
                                         DidYouMean(name, known)));
-    std::set<std::string_view> present;
-    for (const NamedMaterialEntity &m : scene->namedMaterials)
-        present.insert(m.name);
-    const auto useDefault = [&](std::deque<ShapeEntity> &shapes) {
-        for (ShapeEntity &s : shapes)
-            if (!s.namedMaterial.empty() && !present.contains(s.namedMaterial))
-                s.namedMaterial.clear();
-    };
-    useDefault(scene->shapes);
-    for (auto &[name, object] : scene->objects)
-        useDefault(object.shapes);
 }
 
 void SceneBuilder::CheckInstanceUses() {

@@ -1,35 +1,13 @@
 #pragma once
 
-#include <array>
 #include <deque>
 #include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "pbrt/scene/params.h"
-#include "pbrt/util/transform.h"
+#include "pbrt/scene/entity_queue.h"
 
 namespace pbrt {
-
-/// A directive with its parameters, not yet interpreted.
-struct Entity {
-    std::string type;  ///< plug-in name; empty where the directive was not given
-    FileLoc loc;
-    ParsedParameters params;
-    const RGBColorSpace *colorSpace = &RGBColorSpace::sRGB();
-};
-
-/// Object-to-world at the shutter's start and end.
-using TransformPair = std::array<Transform, 2>;
-
-struct ShapeEntity : Entity {
-    TransformPair worldFromObject;
-    bool reverseOrientation = false;
-    std::string namedMaterial;  ///< set where NamedMaterial was current
-    int material = -1;          ///< else index into Description::materials; -1: the default
-    std::shared_ptr<const Entity> areaLight;  ///< null where none
-};
 
 struct LightEntity : Entity {
     Transform worldFromLight;
@@ -54,7 +32,7 @@ struct InstanceUse {
 /// ObjectBegin ... ObjectEnd: shapes in world coordinates of the definition, and nested uses.
 struct ObjectEntity {
     FileLoc loc;
-    std::deque<ShapeEntity> shapes;
+    EntityQueue<ShapeEntity> shapes;
     std::vector<InstanceUse> instances;
 };
 
@@ -74,11 +52,11 @@ struct Description {
     Entity film, camera, sampler, filter, integrator, accelerator;
     TransformPair cameraFromWorld;
     float transformStart = 0, transformEnd = 1;
-    std::vector<Entity> materials;
+    EntityQueue<Entity> materials;  ///< those without names
     std::vector<NamedMaterialEntity> namedMaterials;
     std::vector<TextureEntity> textures;  ///< in file order
     std::vector<LightEntity> lights;
-    std::deque<ShapeEntity> shapes;  ///< no vector: there may be millions, and none need move
+    EntityQueue<ShapeEntity> shapes;
     std::map<std::string, ObjectEntity> objects;
     std::vector<InstanceUse> instances;
     Options options;
@@ -88,8 +66,9 @@ struct Description {
 
 /// Reads scene files (or standard input for an empty list or "-") into `scene`. Mistakes go to the
 /// diagnostics; parsing goes on after each where it can. `scene.options` holds the command line's
-/// values on entry. Afterwards every named material that a shape refers to and every object that is
-/// used is defined, and no object contains itself: what would is reported and left out.
+/// values on entry. Named materials that shapes refer to and that are not defined are reported.
+/// Every object that is used is defined, and none contains itself: what would is reported and left
+/// out.
 void ParseFiles(const std::vector<std::string> &files, Description &scene, Diagnostics &log);
 /// The same from text; `name` stands for the file in messages, `dir` for its folder.
 void ParseString(std::string_view text, std::string_view name, std::string_view dir,

@@ -60,7 +60,9 @@ class Parser {
     /// As many numbers as labels, which name them in messages.
     std::optional<std::vector<float>> Numbers(std::span<const std::string_view> labels);
     std::optional<Matrix4> BracketedMatrix();
-    bool NextNumber(float *value, std::string_view which);
+    /// `describe()` says which number it is, for messages.
+    template <typename Describe>
+    bool NextNumber(float *value, Describe describe);
     // The value of an Option.
     void OptionFlag(bool *flag);
     void OptionInt(int *value);

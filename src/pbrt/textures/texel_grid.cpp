@@ -1,6 +1,7 @@
 #include "pbrt/textures/texel_grid.h"
 
 #include <algorithm>
+#include <array>
 
 namespace pbrt {
 namespace {
@@ -53,7 +54,7 @@ bool TexelGrid::Compress(const ColorEncoding &encoding) {
         packed[i] = uint8_t(k);
     }
     bytes = std::move(packed);
-    decoded = table;
+    decoded.assign(table.begin(), table.end());
     floats = {};
     return true;
 }

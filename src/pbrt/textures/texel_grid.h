@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -52,7 +51,7 @@ class TexelGrid {
     int nChannels;
     std::vector<float> floats;
     std::vector<uint8_t> bytes;  ///< instead of floats
-    std::array<float, 256> decoded{};
+    std::vector<float> decoded;  ///< of each byte
 };
 
 }  // namespace pbrt
