@@ -76,7 +76,7 @@ class RayKinds {
         if (!world.accel->Intersect(ray, &hit)) return;
         const SurfacePoint sp = world.Interact(hit, ray);
         const Normal3f n = Dot(sp.n, ray.d) > 0 ? -sp.n : sp.n;
-        const LightSampleContext ctx{sp.p, n, n};
+        const LightSampleContext ctx{sp.p, n};
         const auto lambda = SampledWavelengths::SampleVisible(rng.Uniform());
         const float uLight = rng.Uniform();
         const Point2f u = rng.Uniform2D();

@@ -11,7 +11,7 @@ double Illuminance(const std::vector<Light> &lights, Point3f p, Normal3f n, int 
     double sum = 0;
     for (const Light &light : lights) {
         for (int i = 0; i < samples; ++i) {
-            const auto s = SampleLi(light, {p, n, n}, UniformSquare(rng), kLambda);
+            const auto s = SampleLi(light, {p, n}, UniformSquare(rng), kLambda);
             if (s)
                 sum +=
                     double(s->L[0] * kLuminance * std::max(0.f, Dot(n, s->wi)) / s->pdf) / samples;
@@ -64,7 +64,7 @@ TEST(DiffuseAreaLight, ShadowRaysEndBeforeItsSurface) {
     const AreaScene s(kUnit, Rectangle(2, 1, 1000));
     std::mt19937 rng(1);
     for (int i = 0; i < 100; ++i) {
-        const auto li = SampleLi(s.lights[0], {{0, 0, 1003}, {}, {}}, UniformSquare(rng), kLambda);
+        const auto li = SampleLi(s.lights[0], {{0, 0, 1003}, {}}, UniformSquare(rng), kLambda);
         ASSERT_TRUE(li);
         EXPECT_GT(li->pLight.z, 1000);
         EXPECT_LT(li->pLight.z, 1000.1f);
@@ -88,7 +88,7 @@ TEST(DiffuseAreaLight, WithAlphaZeroIsFoundByLightSamplesAlone) {
     const AreaScene hidden(kUnit, Rectangle(2, 1, 0), 0.f);
     EXPECT_EQ(Illuminance(hidden.lights, {0, 0, 0.7f}, {0, 0, -1}, 50),
               Illuminance(whole.lights, {0, 0, 0.7f}, {0, 0, -1}, 50));
-    EXPECT_TRUE(SampleLi(hidden.lights[0], {{0, 0, 1}, {}, {}}, {0.3f, 0.3f}, kLambda)->delta);
+    EXPECT_TRUE(SampleLi(hidden.lights[0], {{0, 0, 1}, {}}, {0.3f, 0.3f}, kLambda)->delta);
 }
 
 }  // namespace

@@ -60,7 +60,10 @@ TEST(LightBounds, AreImportantWhereTheyShine) {
     EXPECT_EQ(b.Importance({3, 0, 1.5f}, {}), 0);
     LightBounds both = b;
     both.twoSided = true;
-    EXPECT_GT(both.Importance({0, 0, 2}, {0, 0, 1}), 0);
+    EXPECT_GT(both.Importance({0, 0, 2}, {0, 0, -1}), 0);
+    // From behind the receiver.
+    EXPECT_EQ(both.Importance({0, 0, 2}, {0, 0, 1}), 0);
+    EXPECT_GT(both.Importance({0, 0, 2}, {}), 0);
 }
 
 TEST(LightBounds, GrazingLightCountsLess) {
@@ -98,8 +101,8 @@ TEST(LightBounds, BoundWhatTheirPartsSend) {
             const Normal3f n = UniformDirection(rng);
             for (const LightBounds &part : parts) {
                 const Vector3f d = part.bounds.min - p;
-                const float cosines =
-                    std::max(0.f, -Dot(part.normals.axis, d)) * AbsDot(n, d) / LengthSquared(d);
+                const float cosines = std::max(0.f, -Dot(part.normals.axis, d)) *
+                                      std::max(0.f, Dot(n, d)) / LengthSquared(d);
                 const float radius = Length(all.bounds.Diagonal()) / 2;
                 const float d2 = std::max(DistanceSquared(p, all.bounds.Center()), Sqr(radius));
                 EXPECT_GE(all.Importance(p, n) * d2 * 1.001f, cosines);

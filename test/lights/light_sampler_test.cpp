@@ -45,7 +45,7 @@ struct Mixed {
 LightSampleContext RandomReceiver(std::mt19937 &rng, float size) {
     const Point3f p = RandomPoint(rng, size);
     const Normal3f n = UniformDirection(rng);
-    return {p, n, n};
+    return {p, n};
 }
 
 TEST(EveryLightSampler, PMFIsTheProbabilityOfItsSamples) {
@@ -75,6 +75,35 @@ TEST(EveryLightSampler, PMFIsTheProbabilityOfItsSamples) {
     }
 }
 
+TEST(EveryLightSampler, ServesSixteenReceiversAsEachAlone) {
+    const Mixed mixed;
+    std::mt19937 rng(4);
+    std::uniform_real_distribution<float> number(0, 1);
+    for (std::string_view name : kLightSamplerNames) {
+        const LightSampler sampler = LightSampler::Create(name, mixed.lights);
+        for (int round = 0; round < 200; ++round) {
+            WideLightSampleContext ctx;
+            WideFloat u;
+            for (int i = 0; i < kWide; ++i) {
+                const LightSampleContext one = RandomReceiver(rng, 4);
+                SetLane(&ctx.p, i, one.p);
+                SetLane(&ctx.ns, i, one.ns);
+                u[i] = std::min(number(rng), OneMinusEpsilon);
+            }
+            const LaneBits lanes = rng() & kAllLanes;
+            const SampledLights drawn = sampler.Sample(ctx, u, lanes);
+            ASSERT_EQ(drawn.valid & ~lanes, 0u);
+            ForEachLane(lanes, [&](int i) {
+                const auto one = sampler.Sample(ctx.At(i), u[i]);
+                ASSERT_EQ(drawn.valid >> i & 1, LaneBits(one.has_value()));
+                if (!one) return;
+                EXPECT_EQ(drawn.light[size_t(i)], one->light);
+                EXPECT_EQ(drawn.pmf[i], one->pmf);
+            });
+        }
+    }
+}
+
 TEST(EveryLightSampler, NeverDrawsAConstantSky) {
     const Mixed mixed;
     for (std::string_view name : kLightSamplerNames) {
@@ -94,11 +123,11 @@ TEST(EveryLightSampler, AloneALightIsCertain) {
     const LightScene s("LightSource \"infinite\"\nLightSource \"point\"");
     for (std::string_view name : kLightSamplerNames) {
         const LightSampler sampler = LightSampler::Create(name, s.lights);
-        const auto chosen = sampler.Sample({{1, 2, 3}, {}, {}}, 0.9f);
+        const auto chosen = sampler.Sample({{1, 2, 3}, {}}, 0.9f);
         ASSERT_TRUE(chosen);
         EXPECT_EQ(chosen->light, 1);
         EXPECT_EQ(chosen->pmf, 1);
-        EXPECT_EQ(sampler.PMF({{1, 2, 3}, {}, {}}, 1), 1);
+        EXPECT_EQ(sampler.PMF({{1, 2, 3}, {}}, 1), 1);
     }
 }
 
@@ -131,7 +160,7 @@ TEST(BVHLightSampler, OneSpotIsDrawnWhereverItShines) {
         const LightSampleContext ctx = RandomReceiver(rng, 5);
         const auto li = SampleLi(s.lights[0], ctx, {}, kLambda);
         const auto chosen = sampler.Sample(ctx, UniformSquare(rng).x);
-        if (li) {
+        if (li && Dot(li->wi, ctx.ns) > 0) {
             ASSERT_TRUE(chosen);
             EXPECT_EQ(chosen->light, 0);
             EXPECT_EQ(chosen->pmf, 1);
@@ -146,7 +175,7 @@ TEST(BVHLightSampler, PointLightsAreDrawnWithoutBias) {
         const LightSampler sampler = LightSampler::Create("bvh", s.lights);
         std::mt19937 rng(6);
         for (int k = 0; k < 4; ++k) {
-            const LightSampleContext ctx = RandomReceiver(rng, 5);
+            const LightSampleContext ctx{RandomPoint(rng, 5), {}};
             constexpr int n = 200000;
             double sum = 0;
             for (int i = 0; i < n; ++i) {
@@ -169,7 +198,7 @@ TEST(BVHLightSampler, FromFarAwayGoesByPower) {
         total += Power(light);
     std::mt19937 rng(7);
     for (int k = 0; k < 10; ++k) {
-        const LightSampleContext ctx{10000.f * UniformDirection(rng), {}, {}};
+        const LightSampleContext ctx{10000.f * UniformDirection(rng), {}};
         for (size_t i = 0; i < s.lights.size(); ++i)
             EXPECT_NEAR(sampler.PMF(ctx, int(i)) * total / Power(s.lights[i]), 1, 0.01);
     }
@@ -189,10 +218,12 @@ TEST(BVHLightSampler, HasNoFalseNegativesForTriangles) {
         const LightSampler sampler = LightSampler::Create("bvh", s.lights);
         for (int i = 0; i < 100; ++i) {
             const LightSampleContext ctx = RandomReceiver(rng, i % 2 == 0 ? 1.5f : 10);
-            for (size_t light = 0; light < s.lights.size(); ++light)
-                if (SampleLi(s.lights[light], ctx, UniformSquare(rng), kLambda)) {
+            for (size_t light = 0; light < s.lights.size(); ++light) {
+                const auto li = SampleLi(s.lights[light], ctx, UniformSquare(rng), kLambda);
+                if (li && Dot(li->wi, ctx.ns) > 0) {
                     EXPECT_GT(sampler.PMF(ctx, int(light)), 0);
                 }
+            }
         }
     }
 }
@@ -216,7 +247,7 @@ TEST(BVHLightSampler, ManyLightsInOnePlaceStillMakeATree) {
     const LightSampler sampler = LightSampler::Create("bvh", s.lights);
     float sum = 0;
     for (int i = 0; i < 3000; ++i)
-        sum += sampler.PMF({{0, 0, 0}, {}, {}}, i);
+        sum += sampler.PMF({{0, 0, 0}, {}}, i);
     EXPECT_NEAR(sum, 1, 1e-4);
 }
 
@@ -229,8 +260,8 @@ TEST(BVHLightSampler, GeometricRowsStillMakeATree) {
     const LightSampler sampler = LightSampler::Create("bvh", s.lights);
     float sum = 0;
     for (int i = 0; i < 100; ++i) {
-        EXPECT_GT(sampler.PMF({{0, 1, 0}, {}, {}}, i), 0);
-        sum += sampler.PMF({{0, 1, 0}, {}, {}}, i);
+        EXPECT_GT(sampler.PMF({{0, 1, 0}, {}}, i), 0);
+        sum += sampler.PMF({{0, 1, 0}, {}}, i);
     }
     EXPECT_NEAR(sum, 1, 1e-4);
 }
@@ -238,9 +269,9 @@ TEST(BVHLightSampler, GeometricRowsStillMakeATree) {
 TEST(BVHLightSampler, DarkLightsAreNeverDrawn) {
     const LightScene s(Point({0, 0, 0}, 0) + Point({1, 0, 0}, 1) + Point({2, 0, 0}, 1));
     const LightSampler sampler = LightSampler::Create("bvh", s.lights);
-    EXPECT_EQ(sampler.PMF({{0, 1, 0}, {}, {}}, 0), 0);
+    EXPECT_EQ(sampler.PMF({{0, 1, 0}, {}}, 0), 0);
     for (float u : {0.f, 0.25f, OneMinusEpsilon})
-        EXPECT_NE(sampler.Sample({{0, 1, 0}, {}, {}}, u)->light, 0);
+        EXPECT_NE(sampler.Sample({{0, 1, 0}, {}}, u)->light, 0);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ double FluxAround(const Light &light, Point3f center, int rings) {
             const float z = 1 - 2 * (float(i) + 0.5f) / float(rings);
             const float phi = 2 * Pi * (float(j) + 0.5f) / float(sectors), r = SafeSqrt(1 - z * z);
             const Vector3f w{r * std::cos(phi), r * std::sin(phi), z};
-            const auto s = SampleLi(light, {center + w, {}, {}}, {0.5f, 0.5f}, kLambda);
+            const auto s = SampleLi(light, {center + w, {}}, {0.5f, 0.5f}, kLambda);
             if (s) sum += double(s->L[0] * kLuminance / s->pdf);
         }
     }
@@ -27,14 +27,14 @@ TEST(PointLight, ShinesByInverseSquareFromItsPlace) {
         "Translate 1 0 0\nLightSource \"point\" \"point3 from\" [ 0 2 0 ] "
         "\"float scale\" 6 \"spectrum I\" " +
         kFlat);
-    const auto li = SampleLi(s.Only(), {{1, 0, 0}, {}, {}}, {}, kLambda);
+    const auto li = SampleLi(s.Only(), {{1, 0, 0}, {}}, {}, kLambda);
     ASSERT_TRUE(li);
     EXPECT_EQ(li->pLight, (Point3f{1, 2, 0}));
     EXPECT_EQ(li->wi, (Vector3f{0, 1, 0}));
     EXPECT_EQ(li->pdf, 1);
     EXPECT_TRUE(li->delta);
     EXPECT_NEAR(li->L[2] * kLuminance, 6.f / 4, 1e-4);
-    EXPECT_FALSE(SampleLi(s.Only(), {{1, 2, 0}, {}, {}}, {}, kLambda));
+    EXPECT_FALSE(SampleLi(s.Only(), {{1, 2, 0}, {}}, {}, kLambda));
 }
 
 TEST(PointLight, PowerIsItsFlux) {
@@ -73,7 +73,7 @@ TEST(SpotLight, HasNoVariance) {
     for (Cone c : kCones) {
         const LightScene s(Spot(c));
         for (int i = 0; i < 100; ++i) {
-            const LightSampleContext ctx{3.f * UniformDirection(rng), {}, {}};
+            const LightSampleContext ctx{3.f * UniformDirection(rng), {}};
             const auto a = SampleLi(s.Only(), ctx, UniformSquare(rng), kLambda);
             const auto b = SampleLi(s.Only(), ctx, UniformSquare(rng), kLambda);
             ASSERT_EQ(a.has_value(), b.has_value());
@@ -98,8 +98,8 @@ TEST(SpotLight, AimsAsTransformed) {
         "Translate 0 0 5\nRotate 90 0 1 0\nLightSource \"spot\" "
         "\"point3 to\" [ 0 0 3 ]");
     // z turns into x.
-    EXPECT_TRUE(SampleLi(s.Only(), {{4, 0, 5}, {}, {}}, {}, kLambda));
-    EXPECT_FALSE(SampleLi(s.Only(), {{0, 0, 9}, {}, {}}, {}, kLambda));
+    EXPECT_TRUE(SampleLi(s.Only(), {{4, 0, 5}, {}}, {}, kLambda));
+    EXPECT_FALSE(SampleLi(s.Only(), {{0, 0, 9}, {}}, {}, kLambda));
 }
 
 TEST(DistantLight, ArrivesParallelWithItsIlluminance) {
@@ -110,7 +110,7 @@ TEST(DistantLight, ArrivesParallelWithItsIlluminance) {
     // The mean of L / pdf over wavelengths times y is the luminance.
     for (int i = 0; i < 1000; ++i) {
         const auto lambda = SampledWavelengths::SampleVisible((float(i) + 0.5f) / 1000);
-        const auto li = SampleLi(s.Only(), {{1, 2, 3}, {}, {}}, {}, lambda);
+        const auto li = SampleLi(s.Only(), {{1, 2, 3}, {}}, {}, lambda);
         ASSERT_TRUE(li && li->delta);
         EXPECT_EQ(li->wi, (Vector3f{0, 0, 1}));
         // Beyond everything in a scene of radius 10.

@@ -74,6 +74,29 @@ TEST(WideMath, Angles) {
     });
 }
 
+TEST(WideMath, FastInverseRoot) {
+    Rng rng(5);
+    for (int round = 0; round < 1000; ++round) {
+        WideFloat a;
+        for (int i = 0; i < kWide; ++i)
+            a[i] = std::exp2(250 * rng.Uniform() - 122);
+        const WideFloat root = FastInverseRoot(a);
+        for (int i = 0; i < kWide; ++i)
+            EXPECT_NEAR(double(root[i]) * std::sqrt(double(a[i])), 1, 0x1p-14);
+    }
+}
+
+TEST(WideMath, SumsUpTo) {
+    Rng rng(6);
+    WideFloat a;
+    for (int i = 0; i < kWide; ++i)
+        a[i] = float(rng.Below(1000));
+    const WideFloat sums = SumsUpTo(a);
+    float sum = 0;
+    for (int i = 0; i < kWide; ++i)
+        EXPECT_EQ(sums[i], sum += a[i]);
+}
+
 TEST(WideMath, PowerHeuristic) {
     WideFloat f, g;
     constexpr float kValues[] = {0, 1e-30f, 0.3f, 7, 1e10f, 1e30f};

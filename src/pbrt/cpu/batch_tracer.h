@@ -18,7 +18,7 @@ class BatchTracer {
     BatchTracer(const World &world, const SamplerT &sampler)
         : world(world), sampler(sampler), choosesLights(!world.lightSampler.OnlyLight()) {
         for (PathQueue &queue : paths.queues)
-            queue.KeepNormals(choosesLights);
+            queue.KeepNormals(world.lightSampler.ReadsNormals());
         for (const Geometry &g : world.geometries) {
             materialOf.push_back(uint32_t(g.material));
             kindOf.push_back(world.AsMix(g.material) ? kMix : KindOf(uint32_t(g.material)));

@@ -37,7 +37,7 @@ class PathQueue {
   public:
     int Size() const { return size; }
     void Clear() { size = 0; }
-    /// Whether PathState::previous has normals: where somebody reads them. Before the first Add.
+    /// Whether PathState::previous has its normal: where somebody reads them. Before the first Add.
     void KeepNormals(bool keep) { keepsNormals = keep; }
 
     void Add(const PathLanes &paths, LaneBits lanes) {
@@ -47,10 +47,7 @@ class PathQueue {
         d.Put(size, paths.d, lanes);
         StoreLanes(&time[end], paths.time, lanes);
         p.Put(size, paths.p, lanes);
-        if (keepsNormals) {
-            n.Put(size, paths.n, lanes);
-            ns.Put(size, paths.ns, lanes);
-        }
+        if (keepsNormals) ns.Put(size, paths.ns, lanes);
         StoreLanes(&bsdfPDF[end], paths.bsdfPDF, lanes);
         StoreLanes(&etaScale[end], paths.etaScale, lanes);
         StoreLanes(&depth[end], paths.depth, lanes);
@@ -63,11 +60,11 @@ class PathQueue {
         paths.slot = Gather(&slot[0], at);
         paths.o = o.At(at), paths.d = d.At(at), paths.time = Gather(&time[0], at);
         paths.p = p.At(at);
-        paths.n = paths.ns = {};
+        paths.ns = {};
         paths.bsdfPDF = Gather(&bsdfPDF[0], at), paths.etaScale = Gather(&etaScale[0], at);
         paths.depth = Gather(&depth[0], at);
         paths.anyNonSpecular = Gather(&anyNonSpecular[0], at);
-        if (keepsNormals) paths.n = n.At(at), paths.ns = ns.At(at);
+        if (keepsNormals) paths.ns = ns.At(at);
         for (int i = 0; i < kWide; ++i)
             paths.beta[size_t(i)] = beta[at[i]];
         return paths;
@@ -81,7 +78,7 @@ class PathQueue {
 
   private:
     BatchArray<uint32_t> slot{}, depth{}, anyNonSpecular{};
-    BatchVectors o, d, p, n, ns;
+    BatchVectors o, d, p, ns;
     BatchArray<float> time{}, bsdfPDF{}, etaScale{};
     BatchArray<SampledSpectrum> beta{};
     int size = 0;

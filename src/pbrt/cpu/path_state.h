@@ -29,8 +29,8 @@ struct PathLanes {
     WidePoint3f o;
     WideVector3f d;
     WideFloat time;
-    WidePoint3f p;  ///< of PathState::previous, as are the next two
-    WideNormal3f n, ns;
+    WidePoint3f p;  ///< of PathState::previous, as is the next
+    WideNormal3f ns;
     WideFloat bsdfPDF, etaScale;
     WideUint depth, anyNonSpecular;
     std::array<SampledSpectrum, kWide> beta;
@@ -38,7 +38,7 @@ struct PathLanes {
     PathState At(int i) const {
         return {{Lane(o, i), Lane(d, i), Infinity, time[i]},
                 beta[size_t(i)],
-                {Lane(p, i), Lane(n, i), Lane(ns, i)},
+                {Lane(p, i), Lane(ns, i)},
                 bsdfPDF[i]};
     }
 };

@@ -126,13 +126,13 @@ class Vertices {
             if (world.path.regularize && path.anyNonSpecular[i]) bsdfs.Regularize(i);
             const BxDFFlags flags = bsdfs.Flags(i);
             nonSpecular |= LaneBits(IsNonSpecular(flags)) << i;
-            allSides |= LaneBits(IsReflective(flags) && IsTransmissive(flags)) << i;
+            allSides |= LaneBits(IsTransmissive(flags)) << i;
         });
+        litSide = Select(MaskOf(allSides), {}, frame.z * CopySign(1.f, wo.z));
     }
 
     void SampleLights() {
-        const WideMask sided = ~MaskOf(allSides);
-        const WideLightSampleContext ctx{sp.p, Select(sided, sp.n, {}), Select(sided, sp.ns, {})};
+        const WideLightSampleContext ctx{sp.p, litSide};
         LightLiSamples ls;
         const WideFloat pmf = ChooseLights(ctx, &ls);
         const WideVector3f wi = frame.ToLocal(ls.wi);
@@ -160,11 +160,10 @@ class Vertices {
         if (const auto only = world.lightSampler.OnlyLight()) {
             lights.fill(&world.lights[size_t(*only)]);
         } else {
-            ForEachLane(nonSpecular, [&](int i) {
-                const auto chosen = world.lightSampler.Sample(ctx.At(i), numbers.light[i]);
-                if (!chosen) return;
-                pmf[i] = chosen->pmf;
-                lights[size_t(i)] = &world.lights[size_t(chosen->light)];
+            const SampledLights chosen = world.lightSampler.Sample(ctx, numbers.light, nonSpecular);
+            pmf = chosen.pmf;
+            ForEachLane(chosen.valid, [&](int i) {
+                lights[size_t(i)] = &world.lights[size_t(chosen.light[size_t(i)])];
             });
         }
         WavelengthLanes lambda;
@@ -195,10 +194,8 @@ class Vertices {
     void Turn(const WideVector3f &d, const WideFloat &pdf, const WideMask &straight) {
         path.d = Select(straight, path.d, d);
         path.o = sp.OffsetOrigin(path.d);
-        const WideMask sided = ~MaskOf(allSides);
         path.p = Select(straight, path.p, sp.p);
-        path.n = Select(straight, path.n, Select(sided, sp.n, {}));
-        path.ns = Select(straight, path.ns, Select(sided, sp.ns, {}));
+        path.ns = Select(straight, path.ns, litSide);
         path.bsdfPDF = Select(straight, path.bsdfPDF, pdf);
         path.depth = Select(straight, path.depth, path.depth + 1u);
     }
@@ -226,7 +223,8 @@ class Vertices {
     WideUint at;
     LaneBits lanes = 0;  ///< of the paths that still are to be worked on
     LaneBits nonSpecular = 0;
-    LaneBits allSides = 0;  ///< receive light from both sides of the surface
+    LaneBits allSides = 0;  ///< receive light from both sides of the surface, or from behind
+    WideNormal3f litSide;   ///< shading normal on the side of wo; 0: allSides
     PathLanes path;
     HitPacket hits;
     SurfacePoints sp;

@@ -28,7 +28,7 @@ std::vector<DiffuseAreaLight> DiffuseAreaLight::Create(ParamDict &params, const 
     std::optional<Rectangle> rectangle;
     if (const auto *mesh = std::get_if<BilinearMesh>(&shape)) rectangle = Rectangle::From(*mesh);
     const auto surface = std::make_shared<const Surface>(
-        Surface{emission.spectrum, emission.luminance, &shape, twoSided,
+        Surface{*emission.spectrum, emission.luminance, &shape, twoSided,
                 invisible ? FloatTexture(1.f) : alpha, rectangle, invisible});
     std::vector<DiffuseAreaLight> lights(NPrimitives(shape));
     for (uint32_t i = 0; i < uint32_t(lights.size()); ++i) {

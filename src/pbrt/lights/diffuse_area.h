@@ -15,7 +15,7 @@ struct DiffuseAreaLight {
     static constexpr std::string_view kName = "diffuse";
     /// What the primitives of one shape share.
     struct Surface {
-        std::shared_ptr<const Spectrum> radiance;
+        Spectrum radiance;
         float luminance;
         const Shape *shape;
         bool twoSided;
@@ -40,8 +40,8 @@ struct DiffuseAreaLight {
         if (!s.alpha.IsConstant() || s.alpha.Constant() != 1) strength *= Opacity(*at);
         if (strength == 0) return std::nullopt;
         const float off = Dot(Abs(at->n), at->pError);
-        return LightLiSample{s.radiance->Sample(lambda) * strength, d * (1 / std::sqrt(d2)),
-                             at->pdf, at->p + at->n * (cosine > 0 ? off : -off), s.invisible};
+        return LightLiSample{s.radiance.Sample(lambda) * strength, d * (1 / std::sqrt(d2)), at->pdf,
+                             at->p + at->n * (cosine > 0 ? off : -off), s.invisible};
     }
     /// Density of SampleLi for the direction wi from ref, which meets the surface at p.
     float PDF(Point3f ref, Vector3f wi, Point3f p, Normal3f n) const {
@@ -51,7 +51,7 @@ struct DiffuseAreaLight {
     /// Radiance that leaves a point seen with normal n into direction w.
     SampledSpectrum L(Normal3f n, Vector3f w, const SampledWavelengths &lambda) const {
         if (!surface->twoSided && !(Dot(n, w) > 0)) return SampledSpectrum(0.f);
-        return surface->radiance->Sample(lambda) * scale;
+        return surface->radiance.Sample(lambda) * scale;
     }
     float Power() const;
     std::optional<LightBounds> Bounds() const;

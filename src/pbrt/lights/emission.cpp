@@ -6,8 +6,7 @@ namespace pbrt {
 namespace {
 
 Emission Normalized(const Spectrum &s, float photometric) {
-    const Spectrum table = s.IsConstant() ? s : s.Densely();
-    auto spectrum = std::make_shared<const Spectrum>(table.Scaled(1 / photometric));
+    auto spectrum = std::make_shared<const Spectrum>(s.Scaled(1 / photometric));
     const float luminance = SpectrumToPhotometric(*spectrum);
     return {std::move(spectrum), luminance};
 }
@@ -20,9 +19,12 @@ Emission GetEmission(ParamDict &params, std::string_view name) {
     const std::optional<Spectrum> given = params.GetOneSpectrum(name, SpectrumType::Illuminant);
     const float ofIlluminant = SpectrumToPhotometric(illuminant);
     if (!given) return Normalized(illuminant, ofIlluminant);
+    // Many lights' sigmoids share a table that stays in a core's cache; tables of their own would
+    // not.
     if (isRGB) return Normalized(*given, ofIlluminant);
     const float photometric = SpectrumToPhotometric(*given);
-    if (photometric > 0) return Normalized(*given, photometric);
+    if (photometric > 0)
+        return Normalized(given->IsConstant() ? *given : given->Densely(), photometric);
     params.Error(name, fmt::format("\"{}\" has no visible light: its level is set by `scale`, its "
                                    "shape must not be 0 from 360 to 830 nm",
                                    name));

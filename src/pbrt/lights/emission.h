@@ -13,7 +13,8 @@ struct Emission {
     float luminance = 0;  ///< its CIE-Y integral
 };
 
-/// The spectrum of parameter `name` (default: the colour space's illuminant), as a table, divided
+/// The spectrum of parameter `name` (default: the colour space's illuminant), as a table but for
+/// `rgb`, divided
 /// by the CIE-Y integral: of the illuminant for `rgb`, else of the spectrum itself. A spectrum
 /// without visible light is an error; the default is returned then.
 Emission GetEmission(ParamDict &params, std::string_view name);

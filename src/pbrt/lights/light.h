@@ -8,23 +8,19 @@
 
 namespace pbrt {
 
-/// Where light arrives. n, ns = 0 where the receiver takes light from all sides.
+/// Where light arrives. ns: the shading normal on the side from which the receiver takes light, 0
+/// where it takes light from all sides.
 struct LightSampleContext {
     Point3f p;
-    Normal3f n, ns;
+    Normal3f ns;
 };
 
 /// Sixteen receivers.
 struct WideLightSampleContext {
     WidePoint3f p;
-    WideNormal3f n, ns;
+    WideNormal3f ns;
 
-    LightSampleContext At(int i) const { return {Lane(p, i), Lane(n, i), Lane(ns, i)}; }
-    /// Takes light from all sides.
-    void ForgetSide(int i) {
-        SetLane(&n, i, {});
-        SetLane(&ns, i, {});
-    }
+    LightSampleContext At(int i) const { return {Lane(p, i), Lane(ns, i)}; }
 };
 
 /// Light from one sampled direction.

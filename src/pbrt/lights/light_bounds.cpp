@@ -55,15 +55,17 @@ LightBounds Union(const LightBounds &a, const LightBounds &b) {
 ClusterOf<float> Cluster(const LightBounds &b) {
     const Point3f center = b.bounds.Center();
     const Vector3f axis = b.normals.axis;
-    // A little more than the sphere round the box, so that rounding leaves nothing outside.
-    const float radius2 = LengthSquared(b.bounds.max - center) * 1.0001f;
+    // A little more than the sphere round the box, so that rounding leaves nothing outside. Its
+    // square must not be 0.
+    const float radius = std::max(Length(b.bounds.max - center) * 1.00005f, 1e-15f);
     const float theta_o = std::min(Pi, SafeACos(b.normals.cosTheta) + kMarginAngle);
-    return {center.x, center.y, center.z,          radius2,      axis.x,
-            axis.y,   axis.z,   std::cos(theta_o), b.cosTheta_e, b.twoSided ? -b.power : b.power};
+    return {center,       radius,
+            axis,         2 * std::sin(theta_o / 2),
+            b.cosTheta_e, b.twoSided ? -b.power : b.power};
 }
 
 float LightBounds::Importance(Point3f p, Normal3f n) const {
-    return pbrt::Importance(Cluster(*this), p, n);
+    return pbrt::Importance(Cluster(*this), Receiver(p, n));
 }
 
 }  // namespace pbrt

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pbrt/util/vecmath.h"
+#include "pbrt/util/wide.h"
 
 namespace pbrt {
 
@@ -22,76 +22,57 @@ struct LightBounds {
     bool twoSided = false;
 
     /// Estimate of the light that arrives at p, never 0 where some does. `n`: the receiver's
-    /// normal, 0 where it takes light from all sides; light from behind it counts as well, since
-    /// surfaces may be seen from either side.
+    /// normal on the side where it takes light, 0 where it takes light from all sides.
     float Importance(Point3f p, Normal3f n) const;
 };
 /// Bounds of both; empty ones (power 0) take no part.
 LightBounds Union(const LightBounds &a, const LightBounds &b);
 
-/// What importance is made of, in the form that light trees keep. F is float, or four floats for
-/// four clusters at a time.
-template <typename F>
+/// What importance is made of, in the form that light trees keep. T is float, or WideFloat for
+/// sixteen clusters.
+template <AnyFloat T>
 struct ClusterOf {
-    F centerX, centerY, centerZ, radius2;
-    F axisX, axisY, axisZ;
-    F cosTheta_o, cosTheta_e;
-    F signedPower;  ///< negative: two-sided
+    Vec3<T> center;
+    T radius;  ///< of a sphere that holds all emitters; above 0
+    Vec3<T> axis;
+    T spread;  ///< length of the chord from the axis to the cone's rim, 2 sin(theta_o / 2)
+    T cosTheta_e;
+    T signedPower;  ///< negative: two-sided
 };
 ClusterOf<float> Cluster(const LightBounds &bounds);
 
-using FourFloats = float __attribute__((vector_size(16)));
-
-// Written here since neither compiler vectorises the scalar form's branches.
-template <typename F>
-F Larger(F a, F b) {
-    return a > b ? a : b;
-}
-template <typename F>
-F Smaller(F a, F b) {
-    return a < b ? a : b;
-}
-inline float RootOf(float a) {
-    return std::sqrt(a);
-}
-inline FourFloats RootOf(FourFloats a) {
-    return FourFloats{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
-}
+/// Where light arrives, as importance reads it.
+struct Receiver {
+    Receiver(Point3f p, Normal3f n) : p(p), n(n), least(n == Normal3f{} ? 1 : kMargin) {}
+    /// Of cosines: rounding must not turn grazing light off.
+    static constexpr float kMargin = 1e-4f;
+    Point3f p;
+    Normal3f n;   ///< 0: takes light from all sides
+    float least;  ///< added to the cosine
+};
 
 /// Power times the largest cosine at the emitters over squared distance, times the largest cosine
-/// at the receiver; n = 0: without that. 0 only where nothing can arrive; at most 1e30.
-template <typename F>
-F Importance(const ClusterOf<F> &c, Point3f p, Normal3f n) {
-    const F zero{}, one = zero + 1;
-    const F dx = c.centerX - p.x, dy = c.centerY - p.y, dz = c.centerZ - p.z;
-    const F d2 = dx * dx + dy * dy + dz * dz, invD = one / RootOf(Larger(d2, zero + 1e-30f));
-    // theta_b: half angle of the cluster's sphere from p.
-    const auto inside = d2 <= c.radius2;
-    const F sin2_b = inside ? zero : c.radius2 * invD * invD;
-    const F sin_b = RootOf(sin2_b);
-    const F cos_b = inside ? -one : RootOf(Larger(zero, one - sin2_b));
-    // theta_w, from the axis to p, less theta_o and theta_b.
-    const F cosAxis = -(c.axisX * dx + c.axisY * dy + c.axisZ * dz) * invD;
-    const F eitherWay = c.signedPower < 0 ? Larger(cosAxis, -cosAxis) : cosAxis;
-    const F cos_w = Smaller(one, eitherWay);
-    const F sin_w = RootOf(Larger(zero, one - cos_w * cos_w));
-    const F sin_o = RootOf(Larger(zero, one - c.cosTheta_o * c.cosTheta_o));
-    const auto inCone = cos_w >= c.cosTheta_o;
-    const F cos_x = inCone ? one : cos_w * c.cosTheta_o + sin_w * sin_o;
-    const F sin_x = inCone ? zero : sin_w * c.cosTheta_o - cos_w * sin_o;
-    const F cosEmitter = cos_x >= cos_b ? one : cos_x * cos_b + sin_x * sin_b;
-    // Rounding must not turn grazing light off: hence the floors of 1e-4, here and below.
-    F lit = Larger(c.signedPower, -c.signedPower) * Larger(cosEmitter, zero + 1e-4f) /
-            Larger(Larger(d2, c.radius2), zero + 1e-30f);
-    if (n != Normal3f{}) {
-        // theta_i, from the receiver's normal, less theta_b.
-        const F along = (n.x * dx + n.y * dy + n.z * dz) * invD;
-        const F cos_i = Smaller(one, Larger(along, -along));
-        const F sin_i = RootOf(Larger(zero, one - cos_i * cos_i));
-        const F cosReceiver = cos_i >= cos_b ? one : cos_i * cos_b + sin_i * sin_b;
-        lit *= Larger(cosReceiver, zero + 1e-4f);
-    }
-    return cosEmitter > c.cosTheta_e - 1e-4f ? Smaller(lit, zero + 1e30f) : zero;
+/// at the receiver. 0 only where nothing can arrive; at most 1e30.
+///
+/// The cosines are bounds without angles: a unit vector that turns by theta moves by a chord of 2
+/// sin(theta / 2), and so changes its cosine to another one by no more. From outside the cluster's
+/// sphere its half angle has the sine s = radius / distance; s + s^3 is at least its chord, and 2
+/// from inside.
+template <AnyFloat T>
+T Importance(const ClusterOf<T> &c, const Receiver &to) {
+    const Vec3<T> d{c.center.x - to.p.x, c.center.y - to.p.y, c.center.z - to.p.z};
+    const T invD = FastInverseRoot(Max(LengthSquared(d), c.radius * c.radius));
+    const T s = c.radius * invD;
+    const T away = -Dot(c.axis, d);
+    const T facing = Select(c.signedPower < 0, Abs(away), away) * invD;
+    // 1.001 for the root's error.
+    const T cosEmitter = facing + (c.spread + s * (1.001f * s * s + 1));
+    const T along = to.n.x * d.x + (to.n.y * d.y + (to.n.z * d.z + c.radius));
+    const T cosReceiver = Clamp(along * invD + to.least, 0.f, 1.f);
+    constexpr float kMargin = Receiver::kMargin;
+    const T lit =
+        Abs(c.signedPower) * Clamp(cosEmitter, kMargin, 1.f) * cosReceiver * (invD * invD);
+    return Select(cosEmitter > c.cosTheta_e - kMargin, Min(lit, 1e30f), 0.f);
 }
 
 }  // namespace pbrt

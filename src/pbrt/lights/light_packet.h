@@ -47,7 +47,7 @@ inline void SampleRectangles(const std::array<const DiffuseAreaLight *, kWide> &
     samples->delta |= lit & invisible;
     ForEachLane(lit, [&](int i) {
         const DiffuseAreaLight &l = *light[size_t(i)];
-        samples->L[size_t(i)] = l.surface->radiance->Sample(*lambda[size_t(i)]) * l.scale;
+        samples->L[size_t(i)] = l.surface->radiance.Sample(*lambda[size_t(i)]) * l.scale;
         samples->valid |= LaneBits(l.scale != 0) << i;
     });
 }

@@ -30,6 +30,8 @@ class LightSampler {
     std::optional<int> OnlyLight() const {
         return kind == Kind::Single ? std::optional(single) : std::nullopt;
     }
+    /// Whether the receivers' normals matter.
+    bool ReadsNormals() const { return kind == Kind::Tree; }
     /// nullopt where there is nothing to choose or nothing chosen could arrive. u in [0, 1).
     std::optional<SampledLight> Sample(const LightSampleContext &ctx, float u) const {
         switch (kind) {
@@ -51,6 +53,27 @@ class LightSampler {
         std::optional<SampledLight> chosen = tree.Sample(ctx, rest);
         if (chosen) *chosen = {bounded[size_t(chosen->light)], chosen->pmf * (1 - pInfinite)};
         return chosen;
+    }
+
+    /// Sample for the given lanes.
+    SampledLights Sample(const WideLightSampleContext &ctx, const WideFloat &u,
+                         LaneBits lanes) const {
+        SampledLights drawn;
+        if (kind == Kind::Tree && pInfinite == 0) {
+            drawn = tree.Sample(ctx, u, lanes);
+            ForEachLane(drawn.valid, [&](int i) {
+                drawn.light[size_t(i)] = bounded[size_t(drawn.light[size_t(i)])];
+            });
+            return drawn;
+        }
+        ForEachLane(lanes, [&](int i) {
+            const auto one = Sample(ctx.At(i), u[i]);
+            if (!one) return;
+            drawn.light[size_t(i)] = one->light;
+            drawn.pmf[i] = one->pmf;
+            drawn.valid |= LaneBits(1) << i;
+        });
+        return drawn;
     }
 
     /// Probability that Sample draws light number `light`.

@@ -109,12 +109,12 @@ class LightTreeBuilder {
     int32_t Build(Items items, int level, uint64_t path) {
         const int32_t index = int32_t(tree.nodes.size());
         tree.nodes.emplace_back();
-        std::array<Items, LightTree::kWidth> parts;
+        std::array<Items, kWide> parts;
         const int n = Divide(items, level, parts);
         for (int i = 0; i < n; ++i) {
             const Items part = parts[size_t(i)];
             const ClusterOf<float> cluster = Cluster(BoundsOf(part));
-            const uint64_t childPath = path | uint64_t(i) << (2 * level);
+            const uint64_t childPath = path | uint64_t(i) << (4 * level);
             int32_t child = ~int32_t(part[0].light);
             if (part.size() == 1)
                 tree.paths[size_t(part[0].light)] = childPath;
@@ -126,20 +126,25 @@ class LightTreeBuilder {
     }
 
   private:
-    /// Splits the largest part until there are four or all are single.
-    static int Divide(Items items, int level, std::array<Items, LightTree::kWidth> &parts) {
+    /// Splits the largest part until there are sixteen or all are single; below the root, where
+    /// there are more than sixteen lights, also once each part fits one node: nodes well filled
+    /// make a small tree.
+    static int Divide(Items items, int level, std::array<Items, kWide> &parts) {
         int n = 1;
         parts[0] = items;
-        while (n < LightTree::kWidth) {
+        const size_t enough = level > 0 && items.size() > kWide ? kWide : 1;
+        while (n < kWide) {
             const auto largest = std::max_element(
                 parts.begin(), parts.begin() + n,
                 [](const Items &a, const Items &b) { return a.size() < b.size(); });
-            if (largest->size() < 2) break;
-            // Halving on the lower 16 levels ends any tree of fewer than 4^16 lights in time.
+            if (largest->size() <= enough) break;
+            // Halving on the lower 8 levels ends any tree of fewer than 16^8 lights in time.
             const Items whole = *largest;
             const size_t left = SplitItems(whole, level >= LightTree::kMaxLevels / 2);
-            *largest = whole.first(left);
-            parts[size_t(n++)] = whole.subspan(left);
+            // Halves stay neighbours, so that close random numbers draw close lights.
+            std::move_backward(largest + 1, parts.begin() + n, parts.begin() + n + 1);
+            largest[0] = whole.first(left), largest[1] = whole.subspan(left);
+            ++n;
         }
         return n;
     }
@@ -148,18 +153,18 @@ class LightTreeBuilder {
 };
 
 void LightTree::Node::Set(int i, const ClusterOf<float> &c, int32_t to) {
-    clusters.centerX[i] = c.centerX, clusters.centerY[i] = c.centerY;
-    clusters.centerZ[i] = c.centerZ, clusters.radius2[i] = c.radius2;
-    clusters.axisX[i] = c.axisX, clusters.axisY[i] = c.axisY, clusters.axisZ[i] = c.axisZ;
-    clusters.cosTheta_o[i] = c.cosTheta_o, clusters.cosTheta_e[i] = c.cosTheta_e;
+    SetLane(&clusters.center, i, c.center);
+    SetLane(&clusters.axis, i, c.axis);
+    clusters.radius[i] = c.radius;
+    clusters.spread[i] = c.spread;
+    clusters.cosTheta_e[i] = c.cosTheta_e;
     clusters.signedPower[i] = c.signedPower;
     child[i] = to;
 }
 
-LightTree::Weights LightTree::ChildWeights(const Node &node, const LightSampleContext &ctx) {
-    const FourFloats w = Importance(node.clusters, ctx.p, ctx.ns);
-    const float two = w[0] + w[1], three = two + w[2];
-    return {{w[0], w[1], w[2], w[3]}, {0, w[0], two, three}, three + w[3]};
+LightTree::Weights LightTree::ChildWeights(const Node &node, const Receiver &to) {
+    const WideFloat w = Importance(node.clusters, to);
+    return {w, SumsUpTo(w)};
 }
 
 LightTree::LightTree(std::span<const LightBounds> lights) : paths(lights.size()) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -16,8 +17,15 @@ struct SampledLight {
     float pmf;
 };
 
-/// Tree over bounded lights, four children a node, walked by the children's importance (Conty
-/// Estevez and Kulla 2018). Built by their surface area orientation heuristic.
+/// One drawn for each of sixteen receivers.
+struct SampledLights {
+    std::array<int, kWide> light;
+    WideFloat pmf{};
+    LaneBits valid = 0;  ///< lanes where one was drawn; the others' are undefined
+};
+
+/// Tree over bounded lights, up to sixteen children a node, walked by the children's importance
+/// (Conty Estevez and Kulla 2018). Built by their surface area orientation heuristic.
 class LightTree {
   public:
     LightTree() = default;
@@ -27,6 +35,9 @@ class LightTree {
     bool Empty() const { return nodes.empty(); }
     /// nullopt where no light can reach the receiver. u in [0, 1).
     std::optional<SampledLight> Sample(const LightSampleContext &ctx, float u) const;
+    /// The same for the given lanes.
+    SampledLights Sample(const WideLightSampleContext &ctx, const WideFloat &u,
+                         LaneBits lanes) const;
     /// Probability that Sample draws `light`.
     float PMF(const LightSampleContext &ctx, int light) const;
     size_t MemoryBytes() const {
@@ -34,54 +45,100 @@ class LightTree {
     }
 
   private:
-    static constexpr int kWidth = 4, kMaxLevels = 32;
+    static constexpr int kMaxLevels = 16;
     /// Weights this small are 0: below, u times the sum could round up to the sum.
     static constexpr float kLeast = 1e-30f;
     struct alignas(64) Node {
-        ClusterOf<FourFloats> clusters{};
-        int32_t child[kWidth]{};  ///< node, or ~light
+        ClusterOf<WideFloat> clusters{};
+        WideInt child{};  ///< node, or ~light
         void Set(int i, const ClusterOf<float> &c, int32_t to);
     };
     struct Weights {
-        float w[kWidth];
-        float below[kWidth];  ///< sum of the weights of the children before
-        float sum;
+        WideFloat w, upTo;  ///< the child's, and with those of all before
+        float Sum() const { return upTo[kWide - 1]; }
+    };
+    /// A node on the way to a light, or ~light; the probability of coming there; what is left of
+    /// the random number.
+    struct Walk {
+        int32_t at = 0;
+        float u, pmf = 1;
     };
     /// Not inline, so that Sample and PMF run the same instructions and agree to the last bit.
-    static Weights ChildWeights(const Node &node, const LightSampleContext &ctx);
+    static Weights ChildWeights(const Node &node, const Receiver &to);
+    /// To a child; false where no light can reach the receiver.
+    bool Descend(const Receiver &to, Walk *walk) const;
     friend class LightTreeBuilder;
 
     std::vector<Node> nodes;
-    std::vector<uint64_t> paths;  ///< per light: child numbers from the root, two bits each
+    std::vector<uint64_t> paths;  ///< per light: child numbers from the root, four bits each
 };
 
+inline bool LightTree::Descend(const Receiver &to, Walk *walk) const {
+    const Node &node = nodes[size_t(walk->at)];
+    const Weights weights = ChildWeights(node, to);
+    const float sum = weights.Sum();
+    if (!(sum > kLeast)) return false;
+    const float place = walk->u * sum;
+    // Roundings may let the sums of a few lanes fall, and one of weight 0 add to them.
+    const LaneBits some = BitsOf(weights.w > 0.f), last = std::bit_floor(some);
+    const int i = std::countr_zero((some & BitsOf(weights.upTo > place)) | last);
+    const float w = weights.w[i], below = weights.upTo[i] - w;
+    walk->u = std::clamp((place - below) / w, 0.f, OneMinusEpsilon);
+    walk->pmf *= w / sum;
+    walk->at = node.child[i];
+    return true;
+}
+
 inline std::optional<SampledLight> LightTree::Sample(const LightSampleContext &ctx, float u) const {
-    float pmf = 1;
-    for (const Node *node = &nodes[0];;) {
-        const Weights weights = ChildWeights(*node, ctx);
-        if (!(weights.sum > kLeast)) return std::nullopt;
-        // u < 1 keeps this below the sum, and so in a child of positive weight.
-        const float place = u * weights.sum;
-        int i = 0;
-        for (int k = 1; k < kWidth; ++k)
-            i += place >= weights.below[k];
-        u = std::min((place - weights.below[i]) / weights.w[i], OneMinusEpsilon);
-        pmf *= weights.w[i] / weights.sum;
-        const int32_t child = node->child[i];
-        if (child < 0) return SampledLight{~child, pmf};
-        node = &nodes[size_t(child)];
+    const Receiver to(ctx.p, ctx.ns);
+    Walk walk{.u = u};
+    while (walk.at >= 0)
+        if (!Descend(to, &walk)) return std::nullopt;
+    return SampledLight{~walk.at, walk.pmf};
+}
+
+inline SampledLights LightTree::Sample(const WideLightSampleContext &ctx, const WideFloat &u,
+                                       LaneBits lanes) const {
+    struct One {
+        Receiver to{{}, {}};
+        Walk walk;
+    };
+    std::array<One, kWide> all;
+    ForEachLane(lanes, [&](int i) {
+        all[size_t(i)] = {Receiver(Lane(ctx.p, i), Lane(ctx.ns, i)), {.u = u[i]}};
+    });
+    SampledLights drawn;
+    drawn.valid = lanes;
+    // All by one level, then by the next: their steps do not wait for one another.
+    while (lanes != 0) {
+        LaneBits inner = 0;
+        ForEachLane(lanes, [&](int i) {
+            auto &[to, walk] = all[size_t(i)];
+            if (!Descend(to, &walk)) [[unlikely]] {
+                drawn.valid &= ~(LaneBits(1) << i);
+                return;
+            }
+            inner |= LaneBits(walk.at >= 0) << i;
+        });
+        lanes = inner;
     }
+    ForEachLane(drawn.valid, [&](int i) {
+        drawn.light[size_t(i)] = ~all[size_t(i)].walk.at;
+        drawn.pmf[i] = all[size_t(i)].walk.pmf;
+    });
+    return drawn;
 }
 
 inline float LightTree::PMF(const LightSampleContext &ctx, int light) const {
+    const Receiver to(ctx.p, ctx.ns);
     float pmf = 1;
     uint64_t path = paths[size_t(light)];
-    for (int32_t at = 0;; path >>= 2) {
+    for (int32_t at = 0;; path >>= 4) {
         const Node &node = nodes[size_t(at)];
-        const Weights weights = ChildWeights(node, ctx);
-        const int i = int(path & 3);
-        if (!(weights.sum > kLeast && weights.w[i] > 0)) return 0;
-        pmf *= weights.w[i] / weights.sum;
+        const Weights weights = ChildWeights(node, to);
+        const int i = int(path & 15);
+        if (!(weights.Sum() > kLeast && weights.w[i] > 0)) return 0;
+        pmf *= weights.w[i] / weights.Sum();
         at = node.child[i];
         if (at < 0) return pmf;
     }
