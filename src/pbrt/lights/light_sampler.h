@@ -59,12 +59,15 @@ class LightSampler {
     SampledLights Sample(const WideLightSampleContext &ctx, const WideFloat &u,
                          LaneBits lanes) const {
         SampledLights drawn;
-        if (kind == Kind::Tree && pInfinite == 0) {
-            drawn = tree.Sample(ctx, u, lanes);
+        if (kind == Kind::Tree) {
+            const LaneBits bySlot = lanes & ~BitsOf(u < pInfinite);
+            drawn =
+                tree.Sample(ctx, Min((u - pInfinite) / (1 - pInfinite), OneMinusEpsilon), bySlot);
+            drawn.pmf *= 1 - pInfinite;
             ForEachLane(drawn.valid, [&](int i) {
                 drawn.light[size_t(i)] = bounded[size_t(drawn.light[size_t(i)])];
             });
-            return drawn;
+            lanes &= ~bySlot;
         }
         ForEachLane(lanes, [&](int i) {
             const auto one = Sample(ctx.At(i), u[i]);

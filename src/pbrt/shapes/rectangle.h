@@ -149,8 +149,9 @@ class RectangleT {
             // Area times cosine over squared distance of the middle: about the solid angle.
             const T d2 = Sqr(x0 + r.width / 2) + Sqr(y0 + r.height / 2) + Sqr(h);
             const T most = 0.25f * d2;
-            return (Sqr(r.width * r.height * h) >= most * most * d2) |
-                   (Sqr(r.width) + Sqr(r.height) >= d2);
+            const MaskFor<T> wide = Sqr(r.width * r.height * h) >= most * most * d2,
+                             near = Sqr(r.width) + Sqr(r.height) >= d2;
+            return wide | near;
         }
         SeenRectangle<T> Seen(const RectangleT &r) const {
             return {x0, x0 + r.width, y0, y0 + r.height, h};
