@@ -36,6 +36,10 @@ void DefineOptions(CLI::App &app, Arguments &a, std::vector<float> &crop, std::v
     app.add_option("files", a.files, "scene files, in order; none: standard input");
     app.add_option("--outfile", a.overrides.film.outfile, "picture to write (.exr, .png, .pfm)");
     app.add_option("--spp", spp, "samples per pixel")->check(CLI::PositiveNumber);
+    app.add_option("--target-error", a.overrides.targetError,
+                   "stop sampling tiles whose estimated relative error is below this, as in 0.02; "
+                   "--spp is the most")
+        ->check(CLI::PositiveNumber);
     app.add_option("--nthreads", a.overrides.nThreads, "threads; default: all cores")
         ->check(CLI::PositiveNumber);
     app.add_option("--seed", a.options.seed, "of the samplers");
@@ -119,8 +123,8 @@ struct Times {
 Image Finished(const World &world, const RenderStats &stats) {
     Image image = world.film.ToImage();
     image.metadata.renderTimeSeconds = float(stats.seconds);
-    image.metadata.samplesPerPixel =
-        std::visit([](const auto &s) { return s.SamplesPerPixel(); }, world.sampler);
+    // The mean where --target-error stops tiles.
+    image.metadata.samplesPerPixel = int(stats.cameraSamples / world.film.Bounds().Area());
     image.metadata.cameraFromWorld = world.camera.CameraFromWorld().Matrix();
     image.metadata.ndcFromWorld = world.camera.NDCFromWorld().Matrix();
     return image;

@@ -64,6 +64,7 @@ void ReadSampling(const Description &scene, const Overrides &overrides, World &w
     if (const auto sampler =
             CreateSampler(params, type, spp, scene.options.seed, world.film.FullResolution()))
         world.sampler = *sampler;
+    world.targetError = overrides.targetError;
 }
 
 /// Two triangles that make a parallelogram, as one patch: one light is chosen and sampled better

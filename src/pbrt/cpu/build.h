@@ -10,6 +10,7 @@ namespace pbrt {
 struct Overrides {
     FilmOverrides film;
     std::optional<int> spp;
+    float targetError = 0;  ///< World's
     int nThreads = 0;  ///< for building the acceleration structure; 0: all cores
 };
 

@@ -9,7 +9,7 @@
 #include <atomic>
 #include <chrono>
 
-#include "pbrt/cpu/tile.h"
+#include "pbrt/cpu/adaptive.h"
 
 namespace pbrt {
 namespace {
@@ -19,7 +19,7 @@ constexpr int kTileSize = 16;
 
 /// What the threads tell each other.
 struct Shared {
-    std::atomic<int64_t> pixelsDone{0}, closest{0}, shadow{0};
+    std::atomic<int64_t> pixelsDone{0}, samples{0}, closest{0}, shadow{0};
     std::atomic<bool> stopped{false};
 };
 
@@ -36,8 +36,13 @@ void RenderTiles(World &world, const SamplerT &sampler, Shared &shared,
             const std::vector<Point2i> pixels = PixelsAlongCurve(
                 {tile.cols().begin(), tile.cols().end(), tile.rows().begin(), tile.rows().end()});
             RayCounts rays;
-            RenderPixels(world, pixels, sampler.SamplesPerPixel(), *tracers.local(), rays,
-                         keepGoing);
+            int spp = sampler.SamplesPerPixel();
+            if (world.targetError > 0)
+                spp = RenderToError(world, pixels, spp, world.targetError, *tracers.local(), rays,
+                                    keepGoing);
+            else
+                RenderPixels(world, pixels, spp, *tracers.local(), rays, keepGoing);
+            shared.samples += spp * int64_t(pixels.size());
             shared.closest += rays.closest;
             shared.shadow += rays.shadow;
             shared.pixelsDone += int64_t(pixels.size());
@@ -62,10 +67,9 @@ std::optional<RenderStats> Render(World &world, int nThreads,
         std::visit([&](const auto &s) { RenderTiles(world, s, shared, keepGoing); }, world.sampler);
     });
     if (shared.stopped) return {};
-    const int spp = std::visit([](const auto &s) { return s.SamplesPerPixel(); }, world.sampler);
     RenderStats stats;
     stats.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    stats.cameraSamples = nPixels * spp;
+    stats.cameraSamples = shared.samples;
     stats.rays = {shared.closest, shared.shadow};
     return stats;
 }

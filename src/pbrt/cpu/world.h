@@ -45,6 +45,7 @@ struct World {
     Filter filter;
     Sampler sampler;
     PathSettings path;
+    float targetError = 0;  ///< see RenderToError; 0: all samples everywhere
     Options options;
     bool filtersTextures = false;  ///< some texture reads the steps per pixel
     bool moves = false;            ///< time matters
