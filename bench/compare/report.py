@@ -23,7 +23,9 @@ ELSEWHERE = {"matte-spheres": (40.5, 3.07), "glass-caustic": (50.5, 4.32), "mesh
 METHOD = f"""
 Each renderer renders each scene in turn, every run in a process of its own; seconds are the least of
 the runs, memory is the largest resident set, also in relation to what must be held at least: the most
-that Embree allocates (while it builds), and the scene's files. Mitsuba compiles its kernel in a
+that Embree allocates (while it builds; it need not touch all of that), and the scene's files; the
+program itself and its libraries
+take some 12 MiB. Mitsuba compiles its kernel in a
 picture of one sample before the timed one; *warm-up* is what that takes when the kernel is in its
 cache. Both trace the same geometry, lights and camera to the same depth, with a box filter of one
 pixel, Russian roulette from the second bounce; ours uses the zsobol sampler, Mitsuba its independent

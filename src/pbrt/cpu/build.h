@@ -15,8 +15,8 @@ struct Overrides {
 };
 
 /// Makes everything the description names. Mistakes go to the log; where there are any, nullptr is
-/// returned (after as many as possible have been found). The description is left without the shapes
-/// of its top level, which are let go as they are built.
+/// returned (after as many as possible have been found). The description is left without shapes and
+/// unnamed materials, which are let go as they are built.
 std::unique_ptr<World> BuildWorld(Description &scene, const Overrides &overrides, Diagnostics &log);
 
 }  // namespace pbrt
