@@ -43,12 +43,13 @@ ClusterOf<float> Cluster(const LightBounds &bounds);
 
 /// Where light arrives, as importance reads it.
 struct Receiver {
+    Receiver() = default;
     Receiver(Point3f p, Normal3f n) : p(p), n(n), least(n == Normal3f{} ? 1 : kMargin) {}
     /// Of cosines: rounding must not turn grazing light off.
     static constexpr float kMargin = 1e-4f;
     Point3f p;
-    Normal3f n;   ///< 0: takes light from all sides
-    float least;  ///< added to the cosine
+    Normal3f n;       ///< 0: takes light from all sides
+    float least = 1;  ///< added to the cosine
 };
 
 /// Power times the largest cosine at the emitters over squared distance, times the largest cosine

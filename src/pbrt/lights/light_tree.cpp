@@ -162,9 +162,12 @@ void LightTree::Node::Set(int i, const ClusterOf<float> &c, int32_t to) {
     child[i] = to;
 }
 
-LightTree::Weights LightTree::ChildWeights(const Node &node, const Receiver &to) {
-    const WideFloat w = Importance(node.clusters, to);
-    return {w, SumsUpTo(w)};
+void LightTree::ChildWeights(const Walk *walks, LaneBits lanes, Weights *weights) const {
+    ForEachLane(lanes, [&](int i) {
+        const Walk &walk = walks[i];
+        const WideFloat w = Importance(nodes[size_t(walk.at)].clusters, walk.to);
+        weights[i] = {w, SumsUpTo(w)};
+    });
 }
 
 LightTree::LightTree(std::span<const LightBounds> lights) : paths(lights.size()) {

@@ -57,27 +57,37 @@ class LightTree {
         WideFloat w, upTo;  ///< the child's, and with those of all before
         float Sum() const { return upTo[kWide - 1]; }
     };
-    /// A node on the way to a light, or ~light; the probability of coming there; what is left of
-    /// the random number.
+    /// On the way to a light.
     struct Walk {
-        int32_t at = 0;
-        float u, pmf = 1;
+        Receiver to;
+        float u;         ///< what is left of the random number
+        float pmf = 1;   ///< of coming here
+        int32_t at = 0;  ///< node, or ~light
     };
-    /// Not inline, so that Sample and PMF run the same instructions and agree to the last bit.
-    static Weights ChildWeights(const Node &node, const Receiver &to);
+    /// Of the nodes where the walks of the given lanes are. Not inline, so that Sample and PMF run
+    /// the same instructions and agree to the last bit.
+    void ChildWeights(const Walk *walks, LaneBits lanes, Weights *weights) const;
     /// To a child; false where no light can reach the receiver.
-    bool Descend(const Receiver &to, Walk *walk) const;
+    bool Choose(const Weights &weights, Walk *walk) const;
+    /// Each to a child; the lanes where a light may reach the receiver.
+    LaneBits Descend(Walk *walks, LaneBits lanes) const {
+        std::array<Weights, kWide> weights;
+        ChildWeights(walks, lanes, weights.data());
+        LaneBits lit = 0;
+        ForEachLane(lanes,
+                    [&](int i) { lit |= LaneBits(Choose(weights[size_t(i)], &walks[i])) << i; });
+        return lit;
+    }
     friend class LightTreeBuilder;
 
     std::vector<Node> nodes;
     std::vector<uint64_t> paths;  ///< per light: child numbers from the root, four bits each
 };
 
-inline bool LightTree::Descend(const Receiver &to, Walk *walk) const {
-    const Node &node = nodes[size_t(walk->at)];
-    const Weights weights = ChildWeights(node, to);
+inline bool LightTree::Choose(const Weights &weights, Walk *walk) const {
     const float sum = weights.Sum();
-    if (!(sum > kLeast)) return false;
+    if (!(sum > kLeast)) [[unlikely]]
+        return false;
     const float place = walk->u * sum;
     // Roundings may let the sums of a few lanes fall, and one of weight 0 add to them.
     const LaneBits some = BitsOf(weights.w > 0.f), last = std::bit_floor(some);
@@ -85,63 +95,50 @@ inline bool LightTree::Descend(const Receiver &to, Walk *walk) const {
     const float w = weights.w[i], below = weights.upTo[i] - w;
     walk->u = std::clamp((place - below) / w, 0.f, OneMinusEpsilon);
     walk->pmf *= w / sum;
-    walk->at = node.child[i];
+    walk->at = nodes[size_t(walk->at)].child[i];
     return true;
 }
 
 inline std::optional<SampledLight> LightTree::Sample(const LightSampleContext &ctx, float u) const {
-    const Receiver to(ctx.p, ctx.ns);
-    Walk walk{.u = u};
+    Walk walk{{ctx.p, ctx.ns}, u};
     while (walk.at >= 0)
-        if (!Descend(to, &walk)) return std::nullopt;
+        if (!Descend(&walk, 1)) return std::nullopt;
     return SampledLight{~walk.at, walk.pmf};
 }
 
 inline SampledLights LightTree::Sample(const WideLightSampleContext &ctx, const WideFloat &u,
                                        LaneBits lanes) const {
-    struct One {
-        Receiver to{{}, {}};
-        Walk walk;
-    };
-    std::array<One, kWide> all;
+    std::array<Walk, kWide> walks;
     ForEachLane(lanes, [&](int i) {
-        all[size_t(i)] = {Receiver(Lane(ctx.p, i), Lane(ctx.ns, i)), {.u = u[i]}};
+        walks[size_t(i)] = {{Lane(ctx.p, i), Lane(ctx.ns, i)}, u[i]};
     });
     SampledLights drawn;
-    drawn.valid = lanes;
     // All by one level, then by the next: their steps do not wait for one another.
     while (lanes != 0) {
-        LaneBits inner = 0;
-        ForEachLane(lanes, [&](int i) {
-            auto &[to, walk] = all[size_t(i)];
-            if (!Descend(to, &walk)) [[unlikely]] {
-                drawn.valid &= ~(LaneBits(1) << i);
-                return;
-            }
-            inner |= LaneBits(walk.at >= 0) << i;
-        });
-        lanes = inner;
+        lanes = Descend(walks.data(), lanes);
+        LaneBits ended = 0;
+        ForEachLane(lanes, [&](int i) { ended |= LaneBits(walks[size_t(i)].at < 0) << i; });
+        drawn.valid |= ended;
+        lanes &= ~ended;
     }
     ForEachLane(drawn.valid, [&](int i) {
-        drawn.light[size_t(i)] = ~all[size_t(i)].walk.at;
-        drawn.pmf[i] = all[size_t(i)].walk.pmf;
+        drawn.light[size_t(i)] = ~walks[size_t(i)].at;
+        drawn.pmf[i] = walks[size_t(i)].pmf;
     });
     return drawn;
 }
 
 inline float LightTree::PMF(const LightSampleContext &ctx, int light) const {
-    const Receiver to(ctx.p, ctx.ns);
-    float pmf = 1;
-    uint64_t path = paths[size_t(light)];
-    for (int32_t at = 0;; path >>= 4) {
-        const Node &node = nodes[size_t(at)];
-        const Weights weights = ChildWeights(node, to);
+    Walk walk{{ctx.p, ctx.ns}, 0};
+    for (uint64_t path = paths[size_t(light)]; walk.at >= 0; path >>= 4) {
+        Weights weights;
+        ChildWeights(&walk, 1, &weights);
         const int i = int(path & 15);
         if (!(weights.Sum() > kLeast && weights.w[i] > 0)) return 0;
-        pmf *= weights.w[i] / weights.Sum();
-        at = node.child[i];
-        if (at < 0) return pmf;
+        walk.pmf *= weights.w[i] / weights.Sum();
+        walk.at = nodes[size_t(walk.at)].child[i];
     }
+    return walk.pmf;
 }
 
 }  // namespace pbrt
