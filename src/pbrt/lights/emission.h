@@ -14,8 +14,8 @@ struct Emission {
 };
 
 /// The spectrum of parameter `name` (default: the colour space's illuminant), as a table but for
-/// `rgb`, divided by the CIE-Y integral: of the illuminant for `rgb`, else of the spectrum itself. A
-/// spectrum without visible light is an error; the default is returned then.
+/// `rgb`, divided by the CIE-Y integral: of the illuminant for `rgb`, else of the spectrum itself.
+/// A spectrum without visible light is an error; the default is returned then.
 Emission GetEmission(ParamDict &params, std::string_view name);
 
 /// `scale`, and the flux or illuminance that is asked for; not above 0: as `scale` alone says.
