@@ -24,14 +24,12 @@ METHOD = f"""
 Each renderer renders each scene in turn, every run in a process of its own; seconds are the least of
 the runs, memory is the largest resident set, also in relation to what must be held at least: the most
 that Embree allocates (while it builds; it need not touch all of that), and the scene's files; the
-program itself and its libraries
-take some 12 MiB. Mitsuba compiles its kernel in a
-picture of one sample before the timed one; *warm-up* is what that takes when the kernel is in its
-cache. Both trace the same geometry, lights and camera to the same depth, with a box filter of one
-pixel, Russian roulette from the second bounce; ours uses the zsobol sampler, Mitsuba its independent
-one. `mesh-1m` has a layered `coateddiffuse` ground here, and there `roughplastic`, which gives some
-2 % more light: `mesh-1m-matte` is the same with a ground that both have. Hair takes the same
-absorption in both.
+program itself and its libraries take some 12 MiB. Mitsuba compiles its kernel in a picture of one
+sample before the timed one; *warm-up* is what that takes when the kernel is in its cache. Both trace
+the same geometry, lights and camera to the same depth, with a box filter of one pixel, Russian
+roulette from the second bounce; ours uses the zsobol sampler, Mitsuba its independent one. `mesh-1m`
+has a layered `coateddiffuse` ground here, and there `roughplastic`, which gives some 2 % more light:
+`mesh-1m-matte` is the same with a ground that both have. Hair takes the same absorption in both.
 
 The error is the mean over the runs (each with its own seed) against a converged picture of the same
 renderer: *rel. MSE* is the mean over pixels and channels of (x - r)^2 / (r^2 + {error.EPSILON}), less

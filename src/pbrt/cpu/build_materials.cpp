@@ -55,6 +55,8 @@ class EqualMaterials {
 MaterialTable BuildMaterials(Description &scene, const NamedTextures &textures, World &world,
                              Diagnostics &log) {
     MaterialTable table;
+    // Growing, they would be there twice; room that is not used costs no memory.
+    world.materials.reserve(1 + scene.namedMaterials.size() + scene.materials.size());
     world.materials.push_back(DiffuseMaterial{});
     for (const NamedMaterialEntity &entity : scene.namedMaterials)
         table.named[entity.name] = AddMaterial(entity, scene, textures, table.named, world, log);

@@ -14,7 +14,9 @@ class BoundedTexture {
   public:
     BoundedTexture() = default;
     BoundedTexture(ParamDict &params, const NamedTextures &named, const NumberRow &row)
-        : texture(GetFloatTexture(params, named, row)), row(row) {}
+        : texture(GetFloatTexture(params, named, row)) {
+        if (!texture.IsConstant()) range = std::make_shared<Range>(row);
+    }
 
     bool IsConstant() const { return texture.IsConstant(); }
     /// Only where IsConstant().
@@ -27,15 +29,21 @@ class BoundedTexture {
     void AddRemark(std::string_view owner, std::string *remarks) const;
 
   private:
+    struct Range {
+        NumberRow row;
+        std::atomic<int64_t> clamped{0};  ///< values so far
+
+        explicit Range(const NumberRow &row) : row(row) {}
+    };
     float Clamped(float v) const {
+        const NumberRow &row = range->row;
         const float legal = std::clamp(v, row.lo, row.hi);
         if (v == legal) return v;
-        clamped->fetch_add(1, std::memory_order_relaxed);
+        range->clamped.fetch_add(1, std::memory_order_relaxed);
         return legal == legal ? legal : row.def;
     }
     FloatTexture texture;
-    NumberRow row{};
-    std::shared_ptr<std::atomic<int64_t>> clamped = std::make_shared<std::atomic<int64_t>>(0);
+    std::shared_ptr<Range> range;  ///< null for constants, for materials may be many
 };
 
 }  // namespace pbrt
