@@ -100,7 +100,7 @@ class BatchTracer {
         for (PathList &list : lists)
             list.size = 0;
         const bool fromCamera = dimension == kFirstVertexDimension;
-        if (!fromCamera) SortByOctant();
+        if (!fromCamera) SortByOctant(*paths.queue);
         for (int first = 0; first < paths.queue->Size(); first += kWide)
             Intersect(first, fromCamera);
         for (size_t kind = 0; kind < lists.size(); ++kind) {
@@ -113,11 +113,12 @@ class BatchTracer {
     }
 
     /// Sets `order` to the places in the queue, octant by octant.
-    void SortByOctant() {
-        const int n = paths.queue->Size();
+    template <typename Queue>
+    void SortByOctant(const Queue &queue) {
+        const int n = queue.Size();
         std::array<uint32_t, 9> end{};
         for (int first = 0; first < n; first += kWide)
-            StoreWide(Octant(paths.queue->Directions(first)), &octant[size_t(first)]);
+            StoreWide(Octant(queue.Directions(first)), &octant[size_t(first)]);
         for (int i = 0; i < n; ++i)
             ++end[octant[size_t(i)] + 1];
         for (size_t k = 1; k < end.size(); ++k)
@@ -192,11 +193,13 @@ class BatchTracer {
     void TraceShadows() {
         ShadowQueue &shadows = paths.shadows;
         rays->shadow += shadows.Size();
+        SortByOctant(shadows);
         for (int first = 0; first < shadows.Size(); first += kWide) {
             const LaneBits lanes = FirstLanes(shadows.Size() - first);
-            const RayPacket packet = shadows.Rays(first);
+            const uint32_t *const place = &order[size_t(first)];
+            const RayPacket packet = shadows.RaysAt(LoadWide(place));
             const auto gain = [&](int i, float share) {
-                paths.L[shadows.Slot(first + i)] += shadows.Gain(first + i) * share;
+                paths.L[shadows.Slot(place[i])] += shadows.Gain(place[i]) * share;
             };
             if (world.accel->HasGaps()) {
                 WideFloat passed;

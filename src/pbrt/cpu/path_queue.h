@@ -101,13 +101,14 @@ class ShadowQueue {
         d.Put(size, to - from, lanes);
         ForEachLane(lanes, [&](int i) { gain[size_t(size++)] = gains[size_t(i)]; });
     }
-    /// As far as just before the light.
-    RayPacket Rays(int first) const {
-        return {o.Load(first), d.Load(first), Broadcast16(1 - 1e-4f),
-                LoadWide(&time[size_t(first)])};
+    /// As far as just before the light, at sixteen places.
+    RayPacket RaysAt(const WideUint &at) const {
+        return {o.At(at), d.At(at), Broadcast16(1 - 1e-4f), Gather(&time[0], at)};
     }
-    uint32_t Slot(int at) const { return slot[size_t(at)]; }
-    SampledSpectrum Gain(int at) const { return gain[size_t(at)]; }
+    /// Of sixteen successive rays; those beyond Size() are anything.
+    WideVector3f Directions(int first) const { return d.Load(first); }
+    uint32_t Slot(uint32_t at) const { return slot[at]; }
+    SampledSpectrum Gain(uint32_t at) const { return gain[at]; }
 
   private:
     BatchArray<uint32_t> slot{};
