@@ -69,6 +69,7 @@ class EntityPacker::Reader {
     }
     template <typename T>
     void Raw(T *values, size_t count) {
+        if (count == 0) return;  // memcpy wants no null
         std::memcpy(values, from->data(), count * sizeof(T));
         from->remove_prefix(count * sizeof(T));
     }
