@@ -100,14 +100,15 @@ def write_pfm(path, pixels):
 def sky(light, folder):
     if light.radiance is None:
         return f'LightSource "infinite" "rgb L" [ {numbers(light.rgb)} ]\n'
-    path = light.map or folder / "sky-equal-area.pfm"
+    name = light.map or "sky-equal-area.pfm"
+    path = folder / name  # a map's own path is absolute
     if not path.exists():
         # The map's Z axis is the scene's Y: Rotate -90 1 0 0 takes (x, y, z) to (x, z, -y).
         d = equal_area_directions(1024)
         world = np.stack([d[..., 0], d[..., 2], -d[..., 1]], -1)
         write_pfm(path, light.radiance(world))
     return ('AttributeBegin\nRotate -90 1 0 0\n'
-            f'LightSource "infinite" "string filename" "{path if light.map else path.name}"\nAttributeEnd\n')
+            f'LightSource "infinite" "string filename" "{name}"\nAttributeEnd\n')
 
 
 def header(scene, spp):

@@ -1,6 +1,7 @@
 #include "pbrt/lights/light_sampler.h"
 
 #include "lights/light_scene.h"
+#include "lights/sampled_lights.h"
 
 namespace pbrt::test {
 namespace {
@@ -91,15 +92,7 @@ TEST(EveryLightSampler, ServesSixteenReceiversAsEachAlone) {
                 u[i] = std::min(number(rng), OneMinusEpsilon);
             }
             const LaneBits lanes = rng() & kAllLanes;
-            const SampledLights drawn = sampler.Sample(ctx, u, lanes);
-            ASSERT_EQ(drawn.valid & ~lanes, 0u);
-            ForEachLane(lanes, [&](int i) {
-                const auto one = sampler.Sample(ctx.At(i), u[i]);
-                ASSERT_EQ(drawn.valid >> i & 1, LaneBits(one.has_value()));
-                if (!one) return;
-                EXPECT_EQ(drawn.light[size_t(i)], one->light);
-                EXPECT_EQ(drawn.pmf[i], one->pmf);
-            });
+            ExpectAsEachAlone(sampler, ctx, u, lanes);
         }
     }
 }

@@ -1,6 +1,7 @@
 #include "pbrt/lights/light_tree.h"
 
 #include "lights/light_scene.h"
+#include "lights/sampled_lights.h"
 #include "pbrt/util/rng.h"
 #include "pbrt/util/sampling.h"
 #include "support/chi_square.h"
@@ -51,15 +52,7 @@ TEST(LightTree, SixteenReceiversAreServedAsEachAlone) {
             for (int i = 0; i < kWide; ++i)
                 u[i] = rng.Below(8) == 0 ? OneMinusEpsilon : rng.Uniform();
             const LaneBits lanes = round % 3 == 0 ? kAllLanes : rng.Next32() & kAllLanes;
-            const SampledLights drawn = tree.Sample(ctx, u, lanes);
-            ASSERT_EQ(drawn.valid & ~lanes, 0u);
-            ForEachLane(lanes, [&](int i) {
-                const auto one = tree.Sample(ctx.At(i), u[i]);
-                ASSERT_EQ(drawn.valid >> i & 1, LaneBits(one.has_value()));
-                if (!one) return;
-                EXPECT_EQ(drawn.light[size_t(i)], one->light);
-                EXPECT_EQ(drawn.pmf[i], one->pmf);
-            });
+            ExpectAsEachAlone(tree, ctx, u, lanes);
         }
     }
 }

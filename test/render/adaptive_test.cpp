@@ -115,12 +115,8 @@ TEST(TargetError, ReachedByNobodyTakesAllSamples) {
 }
 
 TEST(TargetError, TheSameBitsForAnyNumberOfThreads) {
-    const Image one = RenderTo(Room("zsobol"), 0.05f, 1, 1).image;
-    const Image two = RenderTo(Room("zsobol"), 0.05f, 1, 2).image;
-    for (int y = 0; y < 48; ++y)
-        for (int x = 0; x < 48; ++x)
-            for (int c = 0; c < 3; ++c)
-                ASSERT_EQ(one.Get({x, y}, c), two.Get({x, y}, c));
+    EXPECT_EQ(RenderTo(Room("zsobol"), 0.05f, 1, 1).image.Data(),
+              RenderTo(Room("zsobol"), 0.05f, 1, 2).image.Data());
 }
 
 TEST(TargetError, BiasIsBelowAThousandth) {

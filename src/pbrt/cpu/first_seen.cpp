@@ -1,9 +1,22 @@
 #include "pbrt/cpu/first_seen.h"
 
 #include "pbrt/bxdfs/albedo.h"
-#include "pbrt/cpu/shading_frame.h"
 
 namespace pbrt {
+namespace {
+
+/// The frame in which a material's BSDF lives.
+template <typename M>
+Frame FrameFor(const M &material, const SurfacePoint &sp, const TextureEvalContext &ctx) {
+    if constexpr (requires { M::kIsotropic; })
+        return Frame::FromZ(sp.ns);
+    else if constexpr (TurnsFrame<M>)
+        return material.TurnFrame(sp.ShadingFrame(), ctx);
+    else
+        return sp.ShadingFrame();
+}
+
+}  // namespace
 
 std::optional<VisibleSurface> FirstSeen(const World &world, const Ray &ray,
                                         SampledWavelengths lambda) {

@@ -70,7 +70,8 @@ class Vertices {
     void Interact() {
         hits = batch.HitsAt(at);
         const RayPacket rays{path.o, path.d, Broadcast16(Infinity), path.time};
-        sp = world.Interact < !kPlain || TurnsFrame < M >> (hits, rays, lanes);
+        constexpr bool kWithTangents = !kPlain || TurnsFrame<M>;
+        sp = world.Interact<kWithTangents>(hits, rays, lanes);
     }
 
     void AddEmissions() {
