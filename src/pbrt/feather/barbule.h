@@ -234,17 +234,19 @@ class Barbule {
     Direction<T> MeanNormal(Direction<T> wo) const {
         const Direction<T> vane{0, 0, std::copysign(T(1), wo.z)};
         if (Grazing(wo)) return vane;
-        const auto [a, along] = bend.MiddleSeenFrom(wo);
+        const auto [middle, rSqr, along] = bend.MiddleSeenFrom(wo);
         const RowView<T> seen = row.SeenFrom(Planar<T>{along, wo.x});
-        const Planar<T> from = seen.PointAt(seen.lower), to = seen.PointAt(seen.upper);
-        const Planar<T> n = row.FromAxes({to.x - from.x, row.Aspect() * (from.n - to.n)});
-        return Normalized({n.x, n.n * a.sin, n.n * a.cos}, vane);
+        // Of any length: nothing is divided.
+        const Planar<T> e = seen.ScaledPointAt((seen.lower + seen.upper) / 2);
+        const Planar<T> n = row.FromAxes({e.n, row.Aspect() * e.x});
+        return Normalized({n.x * rSqr, n.n * middle.x, n.n * middle.n}, vane,
+                          seen.reach * seen.reach * rSqr);
     }
 
-    static Direction<T> Normalized(Direction<T> w, Direction<T> otherwise) {
-        const T lengthSqr = Dot(w, w);
-        if (lengthSqr < std::numeric_limits<T>::epsilon() * std::numeric_limits<T>::epsilon())
-            return otherwise;
+    /// w with length 1; `otherwise` if it is shorter than rounding leaves vectors of length `unit`.
+    static Direction<T> Normalized(Direction<T> w, Direction<T> otherwise, T unit = 1) {
+        const T lengthSqr = Dot(w, w), least = std::numeric_limits<T>::epsilon() * unit;
+        if (!(lengthSqr > least * least)) return otherwise;
         const T scale = 1 / std::sqrt(lengthSqr);
         return {w.x * scale, w.y * scale, w.z * scale};
     }

@@ -8,6 +8,7 @@
 
 #include "arc.h"
 #include "direction.h"
+#include "pack.h"
 #include "row.h"
 #include "units.h"
 
@@ -48,7 +49,7 @@ class Bend {
     T SinOpening() const { return sinOpening; }
 
     /// +1 if w is nearest the end at +opening, else -1.
-    static T Side(Direction<T> w) { return (w.y < 0) == (w.z < 0) ? T(1) : T(-1); }
+    static T Side(Direction<T> w) { return SignOf(w.y) * SignOf(w.z); }
 
     /// Whether the segment is part of the arc and w sees it; cos a >= 0.
     /// float: the range's end is off by up to 1e-7 rad.
@@ -95,14 +96,15 @@ class Bend {
 
     /// The segment that halves what w, w.z != 0, sees of the arc: Sample's for u = 1/2.
     struct Middle {
-        Segment<T> segment;
-        T along;  ///< segment.Across(w).n
+        Planar<T> normal;  ///< times r^2: cosine and sine of its bend angle
+        T rSqr;            ///< w.y^2 + w.z^2
+        T along;           ///< w.z_a
     };
     Middle MiddleSeenFrom(Direction<T> w) const {
         const T absY = std::abs(w.y), absZ = std::abs(w.z);
         const T s = absY * cosOpening, h = absY * sinOpening, c = std::sqrt(absZ * absZ + h * h);
-        const T scale = 1 / (absY * absY + absZ * absZ);
-        return {{Side(w) * (absY * c - absZ * s) * scale, (absZ * c + absY * s) * scale},
+        return {{absZ * c + absY * s, Side(w) * (absY * c - absZ * s)},
+                absY * absY + absZ * absZ,
                 std::copysign(c, w.z)};
     }
 

@@ -31,8 +31,9 @@ struct RowView {
     }
     /// The point itself, reach > 0.
     Planar<V> PointAt(V q) const {
-        const RowView unit{{image.n / reach, image.x / reach}, 1, 0, 0, 0};
-        return unit.ScaledPointAt(q / reach);
+        const V scale = 1 / reach;
+        const RowView unit{{image.n * scale, image.x * scale}, 1, 0, 0, 0};
+        return unit.ScaledPointAt(q * scale);
     }
 
     /// Whether w sees the point along `e` (any length; `length` is its length).
