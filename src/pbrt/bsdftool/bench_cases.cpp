@@ -4,12 +4,21 @@
 
 #include "pbrt/bsdftool/bench_model.h"
 #include "pbrt/bsdftool/spectral_bsdf.h"
+#include "pbrt/bxdfs/feather_lanes.h"
 #include "pbrt/bxdfs/hair.h"
 
 namespace pbrt::bsdftool {
 namespace {
 
 constexpr auto kMode = TransportMode::Radiance;
+
+/// Of each lane, as in AddTimers.
+WideFloat AverageOf(const std::array<SampledSpectrum, kWide> &spectra) {
+    WideFloat average;
+    for (int i = 0; i < kWide; ++i)
+        average[i] = spectra[size_t(i)].Average();
+    return average;
+}
 
 template <typename B>
 void AddTimers(const B &bsdf, BenchCase *c) {
@@ -40,6 +49,26 @@ BenchCase CaseOf(const std::string &name, const Material &material) {
                                 return s ? s->pdf + s->wi.x : 0;
                             })});
     }
+    return c;
+}
+
+BenchCase SideBySideCase(const FeatherBarbuleMaterial &material) {
+    BxDFLanes<FeatherSurface> lanes;
+    const SampledWavelengths lambda = SampledWavelengths::Of(kBenchLambda);
+    for (int i = 0; i < kWide; ++i)
+        lanes.Set(i, material.GetSurface(MiddleOfTexture(), lambda));
+    BenchCase c;
+    c.row.name = "featherbarbule, by 16";
+    c.timers.push_back({&BenchRow::f, WidePass([lanes](const WideBenchInput &in) mutable {
+                            return AverageOf(lanes.f(in.wo, in.wi, kAllLanes));
+                        })});
+    c.timers.push_back({&BenchRow::pdf, WidePass([lanes](const WideBenchInput &in) mutable {
+                            return lanes.PDF(in.wo, in.wi, kAllLanes);
+                        })});
+    c.timers.push_back({&BenchRow::sample, WidePass([lanes](const WideBenchInput &in) mutable {
+                            const BxDFSamples s = lanes.Sample(in.wo, in.uc, in.u, kAllLanes);
+                            return AverageOf(s.f) + s.pdf + s.wi.x;
+                        })});
     return c;
 }
 

@@ -7,6 +7,9 @@ namespace pbrt::bsdftool {
 
 /// f, PDF and Sample_f of any material, and of featherbarbule Sample_f without f.
 BenchCase CaseOf(const std::string &name, const Material &material);
+/// f, PDF and Sample_f (without f, too) of featherbarbule as the renderer calls them, for sixteen
+/// vertices side by side; ns per vertex.
+BenchCase SideBySideCase(const FeatherBarbuleMaterial &material);
 /// f, PDF and Sample_f of a hair with its default parameters.
 BenchCase HairCase();
 /// Reflectance of one film at the four wavelengths, as f, by the model's real arithmetic and by

@@ -24,6 +24,23 @@ const std::vector<BenchInput> &TimedInputs() {
     return inputs;
 }
 
+const std::vector<WideBenchInput> &WideTimedInputs() {
+    static const std::vector<WideBenchInput> inputs = [] {
+        const std::vector<BenchInput> &one = TimedInputs();
+        std::vector<WideBenchInput> wide(one.size() / kWide);
+        for (size_t i = 0; i < wide.size() * kWide; ++i) {
+            WideBenchInput &to = wide[i / kWide];
+            const int lane = int(i % kWide);
+            SetLane(&to.wo, lane, one[i].wo);
+            SetLane(&to.wi, lane, one[i].wi);
+            SetLane(&to.uc, lane, one[i].uc);
+            SetLane(&to.u, lane, one[i].u);
+        }
+        return wide;
+    }();
+    return inputs;
+}
+
 void RunTimers(std::vector<BenchCase> &cases, int rounds) {
     for (int round = 0; round < rounds; ++round)
         for (BenchCase &c : cases)

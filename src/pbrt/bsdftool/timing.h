@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pbrt/util/vecmath.h"
+#include "pbrt/util/wide.h"
 
 namespace pbrt::bsdftool {
 
@@ -58,6 +59,30 @@ std::function<double()> Pass(F call) {
         [[maybe_unused]] volatile float sink = sum;
         const std::chrono::duration<double, std::nano> time = Clock::now() - start;
         return time.count() / double(inputs.size());
+    };
+}
+
+/// TimedInputs, sixteen side by side.
+struct WideBenchInput {
+    WideVector3f wo, wi;
+    WideFloat uc;
+    WidePoint2f u;
+};
+const std::vector<WideBenchInput> &WideTimedInputs();
+
+/// As Pass, sixteen inputs a call; ns per input. `call` turns them into numbers by lane.
+template <typename F>
+std::function<double()> WidePass(F call) {
+    return [call]() mutable {
+        const std::vector<WideBenchInput> &inputs = WideTimedInputs();
+        using Clock = std::chrono::steady_clock;
+        const Clock::time_point start = Clock::now();
+        WideFloat sum{};
+        for (const WideBenchInput &input : inputs)
+            sum += call(input);
+        [[maybe_unused]] volatile float sink = sum[0];
+        const std::chrono::duration<double, std::nano> time = Clock::now() - start;
+        return time.count() / double(kWide * inputs.size());
     };
 }
 

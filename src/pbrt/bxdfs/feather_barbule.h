@@ -5,18 +5,26 @@
 
 namespace pbrt {
 
+/// What a feather's BxDF is made of at a point.
+struct FeatherSurface {
+    feather::Vane<float> vane;
+    float thickness;  ///< of the film, nm
+    feather::Optics<float, NSpectrumSamples> optics;
+};
+
 /// Thin adapter of feather::Barbule to the renderer's conventions; all mathematics is there.
 /// Local frame: z the normal, y along the barbules, x across them; lives on both sides.
 class FeatherBarbuleBxDF {
   public:
     using Model = feather::Barbule<float, NSpectrumSamples>;
+    static constexpr BxDFFlags kFlags = BxDFFlags::Reflection | BxDFFlags::Transmission |
+                                        BxDFFlags::Glossy | BxDFFlags::Diffuse;
 
     explicit FeatherBarbuleBxDF(const Model &barbule) : barbule(barbule) {}
+    explicit FeatherBarbuleBxDF(const FeatherSurface &at)
+        : barbule(at.vane, {at.thickness}, at.optics) {}
 
-    BxDFFlags Flags() const {
-        return BxDFFlags::Reflection | BxDFFlags::Transmission | BxDFFlags::Glossy |
-               BxDFFlags::Diffuse;
-    }
+    BxDFFlags Flags() const { return kFlags; }
     SampledSpectrum f(Vector3f wo, Vector3f wi, TransportMode) const {
         return SampledSpectrum(barbule.f(barbule.SeenFrom(Local(wo)), Local(wi)));
     }

@@ -1,17 +1,22 @@
 #pragma once
 
 #include "pbrt/bxdfs/bxdf_lanes.h"
+#include "pbrt/bxdfs/feather_lanes.h"
 #include "pbrt/cpu/emission.h"
 #include "pbrt/cpu/path_batch.h"
 #include "pbrt/lights/light_packet.h"
 
 namespace pbrt {
 
-/// BSDFs as their materials make them. bench/sampling passes one of its own, to compare with.
+/// BSDFs as their materials make them, or what BxDFLanes makes them of; bench/sampling passes one
+/// of its own, to compare with.
 struct BSDFAsItIs {
     template <typename M>
     static auto At(const M &material, const TextureEvalContext &ctx, SampledWavelengths &lambda) {
-        return material.GetBxDF(ctx, lambda);
+        if constexpr (requires { material.GetSurface(ctx, lambda); })
+            return material.GetSurface(ctx, lambda);
+        else
+            return material.GetBxDF(ctx, lambda);
     }
 };
 

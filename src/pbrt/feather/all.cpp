@@ -9,10 +9,16 @@
 #include "gap.h"
 #include "params.h"
 #include "pigment.h"
+#include "lanes.h"
+#include "pack.h"
 #include "pigment_fast.h"
+#include "pigment_lanes.h"
+#include "pigment_nodes.h"
+#include "pigment_rule.h"
 #include "quadrature.h"
 #include "row.h"
 #include "thin_film.h"
+#include "turns.h"
 #include "units.h"
 
 namespace pbrt::feather {
@@ -28,6 +34,7 @@ template class Bend<double>;
 template class Barbule<float, 4>;
 template class Barbule<double, 4>;
 template class Barbule<double, 4, Converged<16, 32>>;
+
 
 static_assert([] {
     for (const Param &p : kParams)

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <type_traits>
 
 #include "bend.h"
 #include "direction.h"
@@ -17,18 +18,19 @@
 #include "pigment_fast.h"
 #include "row.h"
 #include "thin_film.h"
+#include "turns.h"
 #include "vane.h"
 
 namespace pbrt::feather {
 
 /// What scatters light at a vertex, seen from one direction; made by Barbule::SeenFrom.
 /// Sampler, pdf and f read it, so that they cannot drift apart.
-template <std::floating_point T>
+template <class V>
 struct View {
-    Direction<T> wo;
-    Direction<T> meanNormal;  ///< of the facets that wo sees, about
-    T pigmentChance;          ///< probability of the TRT lobes, p_t
-    bool grazing;             ///< see Grazing: nothing is scattered
+    Direction<V> wo;
+    Direction<V> meanNormal;  ///< of the facets that wo sees, about
+    V pigmentChance;          ///< probability of the TRT lobes, p_t
+    MaskOf<V> grazing;        ///< see Grazing: nothing is scattered
 };
 
 /// A drawn direction. `pdf` is of all lobes, 1/sr; for a gap it is the probability of the delta
@@ -43,51 +45,58 @@ struct Sample {
 
 /// The feather's BSDF: glint off the keratin film (R), pigment return (TRT) and gap (T).
 ///
-/// N wavelengths at once. Directions are of Direction's local frame, on either side of the vane.
-/// R, TRT and f are in 1/sr without a cosine, >= 0, finite, symmetric in wo and wi, and 0 where
-/// |wo.z| or |wi.z| is Grazing. Nothing here is random but what the caller's numbers make
-/// so. `Quadrature` integrates TRT, see pigment_fast.h. Source: MODEL sections 3 to 7.
-template <std::floating_point T, int N, class Quadrature = AdaptiveRule>
+/// N wavelengths at once. V: a scalar, or Lanes for the feathers at sixteen vertices side by side
+/// (see lanes.h), each as it would be alone but for rounding; floats' TRT, to 1e-3 of its value at
+/// worst. Directions are of Direction's local frame, on either side of the vane. R, TRT and f are
+/// in 1/sr without a cosine, >= 0, finite, symmetric in wo and wi, and 0 where |wo.z| or |wi.z| is
+/// Grazing. Nothing here is random but what the caller's numbers make so. `Quadrature` integrates
+/// TRT, see pigment_fast.h. Source: MODEL sections 3 to 7.
+template <class V, int N, class Quadrature = AdaptiveRule>
 class Barbule {
+    using T = ScalarOf<V>;
+    using Mask = MaskOf<V>;
+
   public:
-    using Spectrum = std::array<T, N>;
+    using Spectrum = std::array<V, N>;
 
     /// `params` within kParams' ranges, `optics` within kSpectrumParams'.
-    Barbule(const BarbuleParams<T> &params, const Optics<T, N> &optics)
-        : Barbule(Vane<T>(params), params.thickness, optics) {}
-    Barbule(const Vane<T> &vane, Nm<T> thickness, const Optics<T, N> &optics)
+    Barbule(const BarbuleParams<T> &params,
+            const Optics<V, N> &optics) requires std::floating_point<V>
+        : Barbule(Vane<V>(params), params.thickness, optics) {}
+    Barbule(const Vane<V> &vane, const Nm<V> &thickness, const Optics<V, N> &optics)
         : row(vane.row),
           bend(vane.bend),
           melanin(optics.melanin),
-          meanMelanin(Sum(optics.melanin) / N),
-          averageFilm(Sum(optics.eta) / N) {
+          meanMelanin(Sum(optics.melanin) * (T(1) / N)),
+          averageFilm(Sum(optics.eta) * (T(1) / N)) {
         for (int i = 0; i < N; ++i)
-            films[i] = Film<T>(Nm<T>{optics.lambda[i]}, thickness, optics.eta[i]);
+            films[i] = Film<V>(Nm<V>{optics.lambda[i]}, thickness, optics.eta[i]);
     }
 
-    View<T> SeenFrom(Direction<T> wo) const {
-        return {wo, MeanNormal(wo), PigmentChance(std::abs(wo.z)), Grazing(wo)};
+    View<V> SeenFrom(const Direction<V> &wo) const {
+        return {wo, MeanNormal(wo), PigmentChance(Abs(wo.z)), Grazing(wo)};
     }
 
     /// Reflection off the film, with interference.
-    Spectrum R(const View<T> &view, const Direction<T> &wi) const {
-        const Direction<T> wo = view.wo;  // a reference to it would keep all of the view alive
-        Spectrum sum{};
+    Spectrum R(const View<V> &view, const Direction<V> &wi) const {
+        const Kept wo = view.wo;
+        Spectrum sum;
+        sum.fill(V(0));
         AddReflected(wo, wi, &sum);
         return sum;
     }
 
     /// In through the film, off the melanin, out through the film.
-    Spectrum TRT(const View<T> &view, const Direction<T> &wi) const {
-        const Direction<T> wo = view.wo;
+    Spectrum TRT(const View<V> &view, const Direction<V> &wi) const {
+        const Kept wo = view.wo;
         Spectrum sum;
         SetReturned(wo, wi, &sum);
         return sum;
     }
 
     /// R + TRT; the gap is a delta and not in f.
-    Spectrum f(const View<T> &view, const Direction<T> &wi) const {
-        const Direction<T> wo = view.wo;
+    Spectrum f(const View<V> &view, const Direction<V> &wi) const {
+        const Kept wo = view.wo;
         Spectrum sum;
         SetReturned(wo, wi, &sum);
         AddReflected(wo, wi, &sum);
@@ -96,173 +105,205 @@ class Barbule {
 
     /// Density with which SampleDirection draws wi, 1/sr, the gap's delta apart; its integral is
     /// 1 - (1 - p_t) GapFraction(wo). Exact for every opening.
-    T Pdf(const View<T> &view, Direction<T> wi) const {
-        if (view.grazing || Grazing(wi)) return 0;
-        const T reflected = MirrorDensity(view.wo, wi);
-        return Finite(view.pigmentChance * PigmentLobe(view, wi) +
-                      (1 - view.pigmentChance) * reflected);
+    V Pdf(const View<V> &view, const Direction<V> &wi) const {
+        const Mask dark = view.grazing | Grazing(wi);
+        if (All(dark)) return V(0);
+        const V reflected = MirrorDensity(view.wo, wi);
+        return Select(dark, V(0),
+                      Finite(view.pigmentChance * PigmentLobe(view, wi) +
+                             (1 - view.pigmentChance) * reflected));
+    }
+
+    /// A direction drawn for uc, u0, u1 in [0, 1), without its density; where `isGap`, it is -wo
+    /// with the probability 1 - p_t. Anything where wo is Grazing.
+    struct Drawn {
+        Direction<V> wi;
+        Mask isGap;
+    };
+    Drawn Draw(const View<V> &view, const V &uc, const V &u0, const V &u1) const {
+        const Mask pigment = uc < view.pigmentChance;
+        Direction<V> wi{};
+        if (Any(pigment)) wi = SamplePigment(view, uc / view.pigmentChance, u0, u1);
+        if (All(pigment)) return {wi, !pigment};
+        const V rest = Min((uc - view.pigmentChance) / (1 - view.pigmentChance), V(kBelowOne));
+        const Segment<V> segment = bend.Sample(view.wo, u0);
+        const RowView<V> seen = row.SeenFrom(segment.Across(view.wo));
+        const Mask isGap = (rest < seen.Gap()) & !pigment;
+        if (All(isGap)) return {-view.wo, isGap};
+        const Planar<V> e = seen.PointAt(seen.lower + (seen.upper - seen.lower) * u1);
+        const Direction<V> m = NormalAt(row, segment, e);
+        const V twice = 2 * Dot(m, view.wo);
+        const Direction<V> mirrored{twice * m.x - view.wo.x, twice * m.y - view.wo.y,
+                                    twice * m.z - view.wo.z};
+        return {Select(isGap, -view.wo, Select(pigment, wi, mirrored)), isGap};
     }
 
     /// Draws wi without evaluating f, which is left 0 except for a gap. uc, u0, u1 in [0, 1).
-    std::optional<Sample<T, N>> SampleDirection(const View<T> &view, T uc, T u0, T u1) const {
+    std::optional<Sample<T, N>> SampleDirection(const View<V> &view, V uc, V u0,
+                                                V u1) const requires std::floating_point<V> {
         if (view.grazing) return {};
-        Sample<T, N> sample{};
-        if (uc < view.pigmentChance) {
-            sample.wi = SamplePigment(view, uc / view.pigmentChance, u0, u1);
-        } else {
-            uc = std::min((uc - view.pigmentChance) / (1 - view.pigmentChance), kBelowOne);
-            const Segment<T> segment = bend.Sample(view.wo, u0);
-            const RowView<T> seen = row.SeenFrom(segment.Across(view.wo));
-            if (uc < seen.Gap()) return GapSample(view);
-            const Planar<T> e = seen.PointAt(seen.lower + (seen.upper - seen.lower) * u1);
-            const Direction<T> m = NormalAt(row, segment, e);
-            const T twice = 2 * Dot(m, view.wo);
-            sample.wi = {twice * m.x - view.wo.x, twice * m.y - view.wo.y, twice * m.z - view.wo.z};
-        }
-        sample.pdf = Pdf(view, sample.wi);
+        const Drawn drawn = Draw(view, uc, u0, u1);
+        if (drawn.isGap) return GapSample(view);
+        Sample<T, N> sample{drawn.wi, {}, Pdf(view, drawn.wi), false};
         if (sample.pdf == 0) return {};
         return sample;
     }
 
     /// Draws wi, and evaluates f there.
-    std::optional<Sample<T, N>> Sample_f(const View<T> &view, T uc, T u0, T u1) const {
+    std::optional<Sample<T, N>> Sample_f(const View<V> &view, V uc, V u0,
+                                         V u1) const requires std::floating_point<V> {
         auto sample = SampleDirection(view, uc, u0, u1);
         if (sample && !sample->isGap) sample->f = f(view, sample->wi);
         return sample;
     }
 
     /// Share of light from w that passes straight through, T(w) = T(-w), in [0, 1].
-    T GapFraction(Direction<T> w) const { return feather::GapFraction(row, bend, w); }
+    V GapFraction(const Direction<V> &w) const { return feather::GapFraction(row, bend, w); }
 
   private:
+    /// Of a view's direction: a reference would keep all of the view alive. Over copies of Lanes
+    /// g++ 12 breaks down.
+    using Kept = std::conditional_t<std::floating_point<V>, Direction<V>, const Direction<V> &>;
+
     static constexpr T kBelowOne = 1 - std::numeric_limits<T>::epsilon() / 2;
 
-    static T Finite(T x) { return std::min(x, std::numeric_limits<T>::max()); }
-    static bool SameSide(const Direction<T> &a, const Direction<T> &b) {
-        return (a.z < 0) == (b.z < 0);
+    static V Finite(const V &x) { return Min(x, V(std::numeric_limits<T>::max())); }
+    static Mask SameSide(const Direction<V> &a, const Direction<V> &b) {
+        return SignOf(a.z) == SignOf(b.z);
     }
 
     // What is not inlined is compiled once: copies may round differently, and near the edge of what
     // is seen the last bit decides between 0 and all.
 
-    [[gnu::noinline]] void AddReflected(const Direction<T> &wo, const Direction<T> &wi,
+    [[gnu::noinline]] void AddReflected(const Direction<V> &wo, const Direction<V> &wi,
                                         Spectrum *sum) const {
-        if (Grazing(wo) || Grazing(wi)) return;
-        const Direction<T> m = Between(wo, wi);
-        if (!bend.MayHaveNormal(m)) return;
-        const T length = std::sqrt(Dot(m, m));
-        const Facet<T> facet = FacetTowards(m, length);
-        if (!Sees(row, bend, wo, facet) || !Sees(row, bend, wi, facet)) return;
-        const T scale = FacetDensity(row, bend, facet) / (4 * std::abs(wo.z) * std::abs(wi.z));
-        for (int i = 0; i < N; ++i)
-            (*sum)[i] += Finite(films[i].Reflectance(std::min(length / 2, T(1))) * scale);
+        const Direction<V> m = Between(wo, wi);
+        Mask lit = bend.MayHaveNormal(m) & !(Grazing(wo) | Grazing(wi));
+        if (!Any(lit)) return;
+        const V length = Sqrt(Dot(m, m));
+        const Facet<V> facet = FacetTowards(m, length);
+        lit = lit & Sees(row, bend, wo, facet);
+        if (!Any(lit)) return;
+        lit = lit & Sees(row, bend, wi, facet);
+        if (!Any(lit)) return;
+        const V scale = FacetDensity(row, bend, facet) / (4 * Abs(wo.z) * Abs(wi.z));
+        for (int i = 0; i < N; ++i) {
+            const V R = Finite(films[i].Reflectance(Min(length * T(0.5), V(1))) * scale);
+            (*sum)[i] = Select(lit, (*sum)[i] + R, (*sum)[i]);
+        }
     }
 
-    [[gnu::noinline]] void SetReturned(const Direction<T> &wo, const Direction<T> &wi,
+    [[gnu::noinline]] void SetReturned(const Direction<V> &wo, const Direction<V> &wi,
                                        Spectrum *f) const {
-        if (Grazing(wo) || Grazing(wi) || (row.Closed() && !SameSide(wo, wi))) {
-            *f = {};
+        const Mask dark = Grazing(wo) | Grazing(wi) | (row.Closed() & !SameSide(wo, wi));
+        if (All(dark)) {
+            f->fill(V(0));
             return;
         }
-        const T scale = 1 / (std::numbers::pi_v<T> * std::abs(wo.z) * std::abs(wi.z));
+        const V scale = 1 / (std::numbers::pi_v<T> * Abs(wo.z) * Abs(wi.z));
         Spectrum integral;
-        Quadrature::Integrate(row, bend, films, wo, wi, &integral);
+        if constexpr (std::floating_point<V>)
+            Quadrature::Integrate(row, bend, films, wo, wi, &integral);
+        else
+            Quadrature::Integrate(row, bend, films, wo, wi, dark, &integral);
         for (int i = 0; i < N; ++i)
-            integral[i] = Finite(melanin[i] * scale * integral[i]);
-        *f = integral;
+            (*f)[i] = Select(dark, V(0), Finite(melanin[i] * scale * integral[i]));
     }
 
     /// Density of wi among the mirror directions of the facets that wo sees, 1/sr.
-    [[gnu::noinline]] T MirrorDensity(Direction<T> wo, Direction<T> wi) const {
-        const Direction<T> m = Between(wo, wi);
-        if (!bend.MayHaveNormal(m)) return 0;
-        const Facet<T> facet = FacetTowards(m, std::sqrt(Dot(m, m)));
-        if (!Sees(row, bend, wo, facet)) return 0;
-        return FacetDensity(row, bend, facet) / (4 * std::abs(wo.z));
+    [[gnu::noinline]] V MirrorDensity(const Direction<V> &wo, const Direction<V> &wi) const {
+        const Direction<V> m = Between(wo, wi);
+        Mask seen = bend.MayHaveNormal(m);
+        if (!Any(seen)) return V(0);
+        const Facet<V> facet = FacetTowards(m, Sqrt(Dot(m, m)));
+        seen = seen & Sees(row, bend, wo, facet);
+        if (!Any(seen)) return V(0);
+        return Select(seen, FacetDensity(row, bend, facet) / (4 * Abs(wo.z)), V(0));
     }
 
     /// Along the normal that mirrors wo into wi.
-    static Direction<T> Between(Direction<T> wo, Direction<T> wi) {
+    static Direction<V> Between(const Direction<V> &wo, const Direction<V> &wi) {
         return {wo.x + wi.x, wo.y + wi.y, wo.z + wi.z};
     }
     /// The facet with the normal m = Between(wo, wi); at the pole, where nothing is seen, if the
     /// two are opposite and their sum has no direction that could be trusted.
-    Facet<T> FacetTowards(Direction<T> m, T length) const {
-        if (length < 16 * std::numeric_limits<T>::epsilon()) return {};
-        return FacetWithNormal(row, m, length);
+    Facet<V> FacetTowards(const Direction<V> &m, const V &length) const {
+        const Mask opposite = length < V(16 * std::numeric_limits<T>::epsilon());
+        return FacetWithNormal(row, m, Select(opposite, V(std::numeric_limits<T>::max()), length));
     }
 
     /// p_t: the share of TRT in what a flat film of random thickness would return, by the
     /// wavelengths' mean index and melanin. Beyond 70 degrees the facets that are seen face wo
     /// better than the vane does (at 85 degrees TRT returns 2 to 15 % of the light, the flat film
     /// 0.5 %), so that cosine is the least.
-    T PigmentChance(T cosine) const {
-        const auto [rho, through] = averageFilm.At(std::clamp(cosine, T(0.35), T(1)));
+    V PigmentChance(const V &cosine) const {
+        const auto [rho, through] = averageFilm.At(Min(Max(cosine, V(T(0.35))), V(1)));
         // Both times the square of rho + through.
-        const T tau = meanMelanin * through * through, reflected = rho * (rho + through);
-        return tau > 0 ? tau / (tau + reflected) : T(0);
+        const V tau = meanMelanin * through * through, reflected = rho * (rho + through);
+        return Select(tau > 0, tau / (tau + reflected), V(0));
     }
 
     /// The lobes for TRT are cosines about the vane's normal on wo's side, about the mean visible
     /// normal, and about the other side's normal: together they miss nothing that f_TRT reaches.
     /// Chances 50/45/5 %; a closed row lets nothing through and has the first two only.
     static constexpr T kVaneLobe = T(0.5);
-    T ThroughLobe() const { return row.Closed() ? T(0) : T(0.05); }
+    V ThroughLobe() const { return Select(row.Closed(), V(0), V(T(0.05))); }
 
-    T PigmentLobe(const View<T> &view, Direction<T> wi) const {
-        const T above = std::copysign(T(1), view.wo.z) * wi.z;
-        const T vane = above > 0 ? kVaneLobe * above : -ThroughLobe() * above;
-        const T mean = std::max(T(0), Dot(view.meanNormal, wi));
-        return (vane + (1 - kVaneLobe - ThroughLobe()) * mean) / std::numbers::pi_v<T>;
+    V PigmentLobe(const View<V> &view, const Direction<V> &wi) const {
+        const V above = SignOf(view.wo.z) * wi.z, through = ThroughLobe();
+        const V vane = Select(above > 0, kVaneLobe * above, -through * above);
+        const V mean = Max(V(0), Dot(view.meanNormal, wi));
+        return (vane + (1 - kVaneLobe - through) * mean) * std::numbers::inv_pi_v<T>;
     }
 
-    Direction<T> SamplePigment(const View<T> &view, T uc, T u0, T u1) const {
-        const T side = std::copysign(T(1), view.wo.z);
-        const Direction<T> axis = uc < kVaneLobe           ? Direction<T>{0, 0, side}
-                                  : uc < 1 - ThroughLobe() ? view.meanNormal
-                                                           : Direction<T>{0, 0, -side};
+    Direction<V> SamplePigment(const View<V> &view, const V &uc, const V &u0, const V &u1) const {
+        const V side = SignOf(view.wo.z);
+        const Direction<V> axis = Select(
+            uc < V(kVaneLobe), Direction<V>{V(0), V(0), side},
+            Select(uc < 1 - ThroughLobe(), view.meanNormal, Direction<V>{V(0), V(0), -side}));
         // A point of the unit sphere about the axis' tip lies in a cosine-distributed direction.
-        const T z = 1 - 2 * u0, radius = std::sqrt(std::max(T(0), 1 - z * z));
-        const T angle = 2 * std::numbers::pi_v<T> * u1;
-        return Normalized(
-            {axis.x + radius * std::cos(angle), axis.y + radius * std::sin(angle), axis.z + z},
-            axis);
+        const V z = 1 - 2 * u0, radius = Sqrt(Max(V(0), 1 - z * z));
+        const auto [sine, cosine] = SinCosTurns(u1);
+        return Normalized({axis.x + radius * cosine, axis.y + radius * sine, axis.z + z}, axis);
     }
 
-    /// The normal of the chord between the first and the last point that wo sees, in the segment
-    /// that halves its view of the arc.
-    Direction<T> MeanNormal(Direction<T> wo) const {
-        const Direction<T> vane{0, 0, std::copysign(T(1), wo.z)};
-        if (Grazing(wo)) return vane;
+    /// The normal half-way across what wo sees of the segment that halves its view of the arc.
+    Direction<V> MeanNormal(const Direction<V> &wo) const {
+        const Direction<V> vane{V(0), V(0), SignOf(wo.z)};
+        const Mask grazing = Grazing(wo);
+        if (All(grazing)) return vane;
         const auto [middle, rSqr, along] = bend.MiddleSeenFrom(wo);
-        const RowView<T> seen = row.SeenFrom(Planar<T>{along, wo.x});
+        const RowView<V> seen = row.SeenFrom(Planar<V>{along, wo.x});
         // Of any length: nothing is divided.
-        const Planar<T> e = seen.ScaledPointAt((seen.lower + seen.upper) / 2);
-        const Planar<T> n = row.FromAxes({e.n, row.Aspect() * e.x});
-        return Normalized({n.x * rSqr, n.n * middle.x, n.n * middle.n}, vane,
-                          seen.reach * seen.reach * rSqr);
+        const Planar<V> e = seen.ScaledPointAt((seen.lower + seen.upper) * T(0.5));
+        const Planar<V> n = row.FromAxes({e.n, row.Aspect() * e.x});
+        return Select(grazing, vane,
+                      Normalized({n.x * rSqr, n.n * middle.x, n.n * middle.n}, vane,
+                                 seen.reach * seen.reach * rSqr));
     }
 
     /// w with length 1; `otherwise` if it is shorter than rounding leaves vectors of length `unit`.
-    static Direction<T> Normalized(Direction<T> w, Direction<T> otherwise, T unit = 1) {
-        const T lengthSqr = Dot(w, w), least = std::numeric_limits<T>::epsilon() * unit;
-        if (!(lengthSqr > least * least)) return otherwise;
-        const T scale = 1 / std::sqrt(lengthSqr);
-        return {w.x * scale, w.y * scale, w.z * scale};
+    static Direction<V> Normalized(const Direction<V> &w, const Direction<V> &otherwise,
+                                   const V &unit = V(1)) {
+        const V lengthSqr = Dot(w, w), least = std::numeric_limits<T>::epsilon() * unit;
+        const Mask known = lengthSqr > least * least;
+        if (!Any(known)) return otherwise;
+        const V scale = 1 / Sqrt(lengthSqr);
+        return Select(known, Direction<V>{w.x * scale, w.y * scale, w.z * scale}, otherwise);
     }
 
-    Sample<T, N> GapSample(const View<T> &view) const {
+    Sample<T, N> GapSample(const View<V> &view) const requires std::floating_point<V> {
         Sample<T, N> sample{-view.wo, {}, 1 - view.pigmentChance, true};
         sample.f.fill(1 / std::abs(view.wo.z));
         return sample;
     }
 
-    Row<T> row;
-    Bend<T> bend;
-    std::array<Film<T>, N> films;
+    Row<V> row;
+    Bend<V> bend;
+    std::array<Film<V>, N> films;
     Spectrum melanin;
-    T meanMelanin;
-    AverageFilm<T> averageFilm;  ///< of the mean index
+    V meanMelanin;
+    AverageFilm<V> averageFilm;  ///< of the mean index
 };
 
 }  // namespace pbrt::feather

@@ -1,26 +1,33 @@
 #pragma once
 
-#include <concepts>
+#include "lanes.h"
 
 namespace pbrt::feather {
 
 /// A unit vector that points away from the surface, in the local frame of the vane:
 /// z the surface normal, y along the barbules, x across them.
-template <std::floating_point T>
+template <class V>
 struct Direction {
-    T x, y, z;
-    friend constexpr Direction operator-(Direction w) { return {-w.x, -w.y, -w.z}; }
+    V x, y, z;
+    friend constexpr Direction operator-(const Direction &w) { return {-w.x, -w.y, -w.z}; }
 };
 
-template <std::floating_point T>
-constexpr T Dot(Direction<T> a, Direction<T> b) {
+template <class V>
+[[gnu::always_inline]] constexpr V Dot(const Direction<V> &a, const Direction<V> &b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
 /// Whether w counts as in the plane of the vane, from where nothing is seen.
-template <std::floating_point T>
-constexpr bool Grazing(const Direction<T> &w) {
-    return -T(1e-12) < w.z && w.z < T(1e-12);
+template <class V>
+[[gnu::always_inline]] constexpr MaskOf<V> Grazing(const Direction<V> &w) {
+    using T = ScalarOf<V>;
+    return (V(-T(1e-12)) < w.z) & (w.z < V(T(1e-12)));
+}
+
+template <class V>
+[[gnu::always_inline]] inline Direction<V> Select(const MaskOf<V> &mask, const Direction<V> &a,
+                                                  const Direction<V> &b) {
+    return {Select(mask, a.x, b.x), Select(mask, a.y, b.y), Select(mask, a.z, b.z)};
 }
 
 /// A vector in the plane across a barbule: n along the normal, x across (MODEL section 4.1). V is a
@@ -29,6 +36,12 @@ template <class V>
 struct Planar {
     V n, x;
 };
+
+template <class V>
+[[gnu::always_inline]] inline Planar<V> Select(const MaskOf<V> &mask, const Planar<V> &a,
+                                               const Planar<V> &b) {
+    return {Select(mask, a.n, b.n), Select(mask, a.x, b.x)};
+}
 
 template <class V>
 [[gnu::always_inline]] constexpr V Dot(const Planar<V> &a, const Planar<V> &b) {

@@ -8,6 +8,9 @@
 #include <cstring>
 #include <type_traits>
 #include <utility>
+#if defined(__AVX512F__)
+#include <immintrin.h>
+#endif
 
 namespace pbrt::feather {
 
@@ -19,16 +22,16 @@ inline constexpr int kRegisterBytes = 32;
 inline constexpr int kRegisterBytes = 16;
 #endif
 
-/// n scalars (a power of two; 16 bytes at least) in as many vector registers as they need.
-/// Operators and functions go element by element; a scalar counts as n equal ones.
+/// n scalars (a power of two; 16 bytes at least) in as many vector registers, of `bytes` at most,
+/// as they need. Operators and functions go element by element; a scalar counts as n equal ones.
 ///
 /// Not one wide vector type, which g++ takes apart into scalars where it exceeds the machine's
 /// registers. All is inlined by force: in a large translation unit compilers would stop, and packs
 /// would pass through memory.
-template <std::floating_point T, int n>
+template <std::floating_point T, int n, int bytes = kRegisterBytes>
 struct Pack {
     static constexpr int kSize = n;
-    static constexpr int kWidth = std::min(n, kRegisterBytes / int(sizeof(T)));
+    static constexpr int kWidth = std::min(n, bytes / int(sizeof(T)));
     static constexpr int kRegisters = n / kWidth;
     using Integer = std::conditional_t<sizeof(T) == sizeof(int32_t), int32_t, int64_t>;
     typedef T Register __attribute__((vector_size(kWidth * sizeof(T))));
@@ -42,6 +45,12 @@ struct Pack {
         [[gnu::always_inline]] friend Mask operator&(const Mask &a, const Mask &b) {
             return Each<Mask>([](auto x, auto y) { return x & y; }, a, b);
         }
+        [[gnu::always_inline]] friend Mask operator|(const Mask &a, const Mask &b) {
+            return Each<Mask>([](auto x, auto y) { return x | y; }, a, b);
+        }
+        [[gnu::always_inline]] friend Mask operator!(const Mask &a) {
+            return Each<Mask>([](auto x) { return ~x; }, a);
+        }
     };
 
     Pack() = default;
@@ -54,6 +63,7 @@ struct Pack {
         std::memcpy(a.part, from, sizeof(part));
         return a;
     }
+    [[gnu::always_inline]] void Store(T *to) const { std::memcpy(to, part, sizeof(part)); }
     /// True for the first n / 2 elements.
     [[gnu::always_inline]] static Mask FirstHalf() {
         T index[n];
@@ -62,6 +72,7 @@ struct Pack {
         return At(index) < Pack(T(n / 2));
     }
     [[gnu::always_inline]] T operator[](int k) const { return part[k / kWidth][k % kWidth]; }
+    [[gnu::always_inline]] void Set(int k, T x) { part[k / kWidth][k % kWidth] = x; }
 
     [[gnu::always_inline]] friend Pack operator+(const Pack &a, const Pack &b) {
         return Each<Pack>([](auto x, auto y) { return x + y; }, a, b);
@@ -85,17 +96,40 @@ struct Pack {
     [[gnu::always_inline]] friend Mask operator>=(const Pack &a, const Pack &b) {
         return Each<Mask>([](auto x, auto y) { return x >= y; }, a, b);
     }
+    [[gnu::always_inline]] friend Mask operator<=(const Pack &a, const Pack &b) { return b >= a; }
+    [[gnu::always_inline]] friend Mask operator==(const Pack &a, const Pack &b) {
+        return Each<Mask>([](auto x, auto y) { return x == y; }, a, b);
+    }
 
     /// m ? a : b
     [[gnu::always_inline]] friend Pack Select(const Mask &m, const Pack &a, const Pack &b) {
         return Each<Pack>([](auto first, auto x, auto y) { return first ? x : y; }, m, a, b);
     }
     [[gnu::always_inline]] friend Pack Max(const Pack &a, const Pack &b) {
+#if defined(__AVX512F__)
+        if constexpr (sizeof(Register) == 64 && sizeof(T) == 4)  // g++ 12 compares and blends
+            return Each<Pack>(
+                [](auto x, auto y) __attribute__((always_inline)) {
+                    return Register(_mm512_maskz_max_ps(0xffff, __m512(x), __m512(y)));
+                },
+                a, b);
+#endif
         return Select(a > b, a, b);
+    }
+    [[gnu::always_inline]] friend Pack Min(const Pack &a, const Pack &b) {
+        return Select(b > a, a, b);
     }
     [[gnu::always_inline]] friend Pack Abs(const Pack &a) {
         return Each<Pack>(
             [](auto x) { return Register(IntRegister(x) & ~IntRegister(-Register{})); }, a);
+    }
+    /// x, or -x where y is below 0 or is -0.
+    [[gnu::always_inline]] friend Pack TimesSignOf(const Pack &x, const Pack &y) {
+        return Each<Pack>(
+            [](auto a, auto b) {
+                return Register(IntRegister(a) ^ (IntRegister(b) & IntRegister(-Register{})));
+            },
+            x, y);
     }
     /// 1 or -1, as the sign bit says.
     [[gnu::always_inline]] friend Pack SignOf(const Pack &a) {
@@ -107,16 +141,13 @@ struct Pack {
             a);
     }
     [[gnu::always_inline]] friend Pack Sqrt(const Pack &a) {
-        return Each<Pack>(
-            [](auto x) { return EachElement([](T e) { return std::sqrt(e); }, x, kElements); }, a);
+        return EachOfEach([](T e) { return std::sqrt(e); }, a);
     }
     [[gnu::always_inline]] friend Pack Rint(const Pack &a) {
-        return Each<Pack>(
-            [](auto x) { return EachElement([](T e) { return std::rint(e); }, x, kElements); }, a);
+        return EachOfEach([](T e) { return std::rint(e); }, a);
     }
     [[gnu::always_inline]] friend Pack Sin(const Pack &a) {
-        return Each<Pack>(
-            [](auto x) { return EachElement([](T e) { return std::sin(e); }, x, kElements); }, a);
+        return EachOfEach([](T e) { return std::sin(e); }, a);
     }
 
     /// Element k of the result is element from(k) of a. What goes into one register comes from one
@@ -126,16 +157,16 @@ struct Pack {
         return PermutedBy(a, from, kIndices);
     }
     /// a, and a again.
-    [[gnu::always_inline]] friend Pack<T, 2 * n> Doubled(const Pack &a) {
-        using Twice = Pack<T, 2 * n>;
+    [[gnu::always_inline]] friend Pack<T, 2 * n, bytes> Doubled(const Pack &a) {
+        using Twice = Pack<T, 2 * n, bytes>;
         if constexpr (Twice::kWidth > kWidth)
             return {TwiceARegister(a.part[0], kElements)};
         else
             return DoubledBy(a, Twice::kIndices);
     }
     /// The first half plus the second.
-    [[gnu::always_inline]] friend Pack<T, n / 2> Folded(const Pack &a) {
-        using Half = Pack<T, n / 2>;
+    [[gnu::always_inline]] friend Pack<T, n / 2, bytes> Folded(const Pack &a) {
+        using Half = Pack<T, n / 2, bytes>;
         if constexpr (kRegisters > 1)
             return FoldedBy(a, Half::kIndices);
         else
@@ -170,6 +201,18 @@ struct Pack {
                                                   const Arguments &...arguments) {
         return operation(arguments.part[k]...);
     }
+    /// operation(element) for each element.
+    template <class Operation>
+    [[gnu::always_inline]] static Pack EachOfEach(Operation operation, const Pack &a) {
+        return EachOfEachBy(operation, a, kIndices);
+    }
+    template <class Operation, int... k>
+    [[gnu::always_inline]] static Pack EachOfEachBy(Operation operation, const Pack &a,
+                                                    std::integer_sequence<int, k...>) {
+        Pack result;
+        ((result.part[k] = EachElement(operation, a.part[k], kElements)), ...);
+        return result;
+    }
     template <class Operation, int... i>
     [[gnu::always_inline]] static Register EachElement(Operation operation, Register x,
                                                        std::integer_sequence<int, i...>) {
@@ -190,16 +233,16 @@ struct Pack {
                                        (from(k * kWidth + i) % kWidth)...);
     }
     template <int... k>
-    [[gnu::always_inline]] static Pack<T, 2 * n> DoubledBy(const Pack &a,
-                                                           std::integer_sequence<int, k...>) {
-        Pack<T, 2 * n> b;
+    [[gnu::always_inline]] static Pack<T, 2 * n, bytes> DoubledBy(
+        const Pack &a, std::integer_sequence<int, k...>) {
+        Pack<T, 2 * n, bytes> b;
         ((b.part[k] = a.part[k % kRegisters]), ...);
         return b;
     }
     template <int... k>
-    [[gnu::always_inline]] static Pack<T, n / 2> FoldedBy(const Pack &a,
-                                                          std::integer_sequence<int, k...>) {
-        Pack<T, n / 2> b;
+    [[gnu::always_inline]] static Pack<T, n / 2, bytes> FoldedBy(const Pack &a,
+                                                                 std::integer_sequence<int, k...>) {
+        Pack<T, n / 2, bytes> b;
         ((b.part[k] = a.part[k] + a.part[k + kRegisters / 2]), ...);
         return b;
     }
@@ -215,51 +258,20 @@ struct Pack {
     }
 };
 
-/// What packs do element by element, for one scalar.
-template <std::floating_point T>
-T Select(bool first, T a, T b) {
-    return first ? a : b;
-}
-template <std::floating_point T>
-T Max(T a, T b) {
-    return std::max(a, b);
-}
-template <std::floating_point T>
-T Abs(T x) {
-    return std::abs(x);
-}
-template <std::floating_point T>
-T SignOf(T x) {
-    return std::copysign(T(1), x);
-}
-template <std::floating_point T>
-T Sqrt(T x) {
-    return std::sqrt(x);
-}
-template <std::floating_point T>
-T Rint(T x) {
-    return std::rint(x);
-}
-
-template <std::floating_point T>
-T Sin(T x) {
-    return std::sin(x);
-}
-
 template <class V>
 struct ScalarOfPack {
     using Type = V;
 };
-template <std::floating_point T, int n>
-struct ScalarOfPack<Pack<T, n>> {
+template <std::floating_point T, int n, int bytes>
+struct ScalarOfPack<Pack<T, n, bytes>> {
     using Type = T;
 };
 template <class V>
 using ScalarOf = typename ScalarOfPack<V>::Type;
 
 /// The elements of `a`, as often as m elements need.
-template <int m, std::floating_point T, int n>
-[[gnu::always_inline]] inline Pack<T, m> Repeated(const Pack<T, n> &a) {
+template <int m, std::floating_point T, int n, int bytes>
+[[gnu::always_inline]] inline Pack<T, m, bytes> Repeated(const Pack<T, n, bytes> &a) {
     if constexpr (m == n)
         return a;
     else
@@ -286,8 +298,8 @@ template <class Pack>
 }
 
 /// The sum of the elements, in a fixed order.
-template <std::floating_point T, int n>
-[[gnu::always_inline]] inline T Sum(const Pack<T, n> &a) {
+template <std::floating_point T, int n, int bytes>
+[[gnu::always_inline]] inline T Sum(const Pack<T, n, bytes> &a) {
     if constexpr (n == 2)
         return a[0] + a[1];
     else if constexpr (n * sizeof(T) == 16)
@@ -297,11 +309,11 @@ template <std::floating_point T, int n>
 }
 
 /// Of the values at N wavelengths.
-template <std::floating_point T, std::size_t N>
-T Sum(const std::array<T, N> &values) {
-    T sum = values[0];
+template <class V, std::size_t N>
+V Sum(const std::array<V, N> &values) {
+    V sum = values[0];
     for (std::size_t k = 1; k < N; ++k)
-        sum += values[k];
+        sum = sum + values[k];
     return sum;
 }
 

@@ -80,11 +80,11 @@ struct BarbuleParams {
 };
 
 /// What depends on wavelength, for the N wavelengths that are evaluated together.
-template <std::floating_point T, int N>
+template <class V, int N>
 struct Optics {
-    std::array<T, N> lambda;   ///< vacuum wavelength, nm, > 0
-    std::array<T, N> eta;      ///< index of the film, >= 1
-    std::array<T, N> melanin;  ///< diffuse reflectance of the melanin, [0, 1]
+    std::array<V, N> lambda;   ///< vacuum wavelength, nm, > 0
+    std::array<V, N> eta;      ///< index of the film, >= 1
+    std::array<V, N> melanin;  ///< diffuse reflectance of the melanin, [0, 1]
 };
 
 }  // namespace pbrt::feather

@@ -4,9 +4,10 @@
 #include <cmath>
 #include <concepts>
 #include <limits>
+#include <tuple>
 
 #include "direction.h"
-#include "pack.h"
+#include "lanes.h"
 #include "units.h"
 
 namespace pbrt::feather {
@@ -22,7 +23,10 @@ struct RowView {
     V lower, upper;   ///< an end at -reach or reach exactly is a silhouette
 
     /// Share of the beam that passes between the barbules.
-    V Gap() const { return shift > 2 * reach ? (shift - 2 * reach) / shift : V(0); }
+    V Gap() const {
+        const V passed = shift - 2 * reach;
+        return Select(passed > 0, passed / shift, V(0));
+    }
 
     /// reach^2 times the point of the circle at height q / reach, on the side that faces w.
     [[gnu::always_inline]] Planar<V> ScaledPointAt(const V &q) const {
@@ -30,17 +34,17 @@ struct RowView {
         return {along * image.n - q * image.x, along * image.x + q * image.n};
     }
     /// The point itself, reach > 0.
-    Planar<V> PointAt(V q) const {
+    Planar<V> PointAt(const V &q) const {
         const V scale = 1 / reach;
-        const RowView unit{{image.n * scale, image.x * scale}, 1, 0, 0, 0};
+        const RowView unit{{image.n * scale, image.x * scale}, V(1), V(0), V(0), V(0)};
         return unit.ScaledPointAt(q * scale);
     }
 
     /// Whether w sees the point along `e` (any length; `length` is its length).
-    bool Sees(Planar<V> e, V length) const {
+    MaskOf<V> Sees(const Planar<V> &e, const V &length) const {
         const V q = Cross(image, e);
-        return Dot(image, e) > 0 && (lower == -reach || q >= lower * length) &&
-               (upper == reach || q <= upper * length);
+        return (Dot(image, e) > 0) & ((lower == -reach) | (q >= lower * length)) &
+               ((upper == reach) | (q <= upper * length));
     }
 };
 
@@ -54,33 +58,41 @@ struct Interval {
 ///
 /// The affine map A = diag(1/b, 1) R(-tilt) makes every ellipse a unit circle and keeps what hides
 /// what. Exact for every spacing, touching and interpenetrating barbules included.
-template <std::floating_point T>
+template <class V>
 class Row {
   public:
     Row() = default;
-    Row(T spacing, Radian<T> tilt, T aspect)
+    Row(V spacing, Radian<V> tilt, V aspect) requires std::floating_point<V>
         : spacing(spacing),
           aspect(aspect),
           cosTilt(std::cos(tilt.value)),
           sinTilt(std::sin(tilt.value)),
           inverseAspect(1 / aspect),
           stride(spacing / aspect),
-          step{stride * sinTilt, spacing * cosTilt},
+          step{stride * sinTilt, spacing *cosTilt},
           stepSqr(Dot(step, step)),
-          midSlope(std::sqrt(std::max(T(0), 1 / stepSqr - T(0.25)))) {}
+          midSlope(std::sqrt(std::max(V(0), 1 / stepSqr - V(0.25)))),
+          squash(std::clamp(std::sqrt(aspect), V(0.4), V(2.5))) {}
 
-    T Spacing() const { return spacing; }
-    T Aspect() const { return aspect; }
+    V Spacing() const { return spacing; }
+    V Aspect() const { return aspect; }
+    /// The other semi-axis of the ellipse, one being 1, on which TRT is integrated: half-way from
+    /// the circle of e to that of the normals.
+    V Squash() const { return squash; }
+
+    /// All that a row consists of, see lanes.h.
+    auto Fields() { return FieldsOf(*this); }
+    auto Fields() const { return FieldsOf(*this); }
 
     /// Barbules touch or interpenetrate: no direction sees a gap.
-    bool Closed() const { return stepSqr <= 4; }
+    MaskOf<V> Closed() const { return stepSqr <= 4; }
 
     /// An in-plane vector turned into the frame of the ellipse's axes, and back.
-    template <class V>
-    [[gnu::always_inline]] Planar<V> ToAxes(const Planar<V> &w) const {
+    template <class U>
+    [[gnu::always_inline]] Planar<U> ToAxes(const Planar<U> &w) const {
         return {cosTilt * w.n + sinTilt * w.x, cosTilt * w.x - sinTilt * w.n};
     }
-    Planar<T> FromAxes(Planar<T> w) const {
+    Planar<V> FromAxes(const Planar<V> &w) const {
         return {cosTilt * w.n - sinTilt * w.x, sinTilt * w.n + cosTilt * w.x};
     }
 
@@ -90,51 +102,56 @@ class Row {
     /// neighbours cross in a visible point when 2|D| > |v|^2 (this is |z| < G of MODEL 4.2,
     /// squared) and cut [-1, 1] at +-|D|/2 - s z sqrt(1/|v|^2 - 1/4); else the one in front hides
     /// all that it overlaps, and |D| is left at the other end.
-    template <class V = T>
-    [[gnu::always_inline]] RowView<V> SeenFrom(const Planar<V> &w) const {
-        const Planar<V> axes = ToAxes(w);
-        const V n = axes.n * inverseAspect, x = axes.x, reach = Sqrt(n * n + x * x);
-        const V d = stride * w.n, shift = Abs(d), z = SignOf(d) * (step.n * n + step.x * x);
-        const V middle = -midSlope * z, half = shift * T(0.5);
+    template <class U = V>
+    [[gnu::always_inline]] RowView<U> SeenFrom(const Planar<U> &w) const {
+        using T = ScalarOf<V>;
+        const Planar<U> axes = ToAxes(w);
+        const U n = axes.n * inverseAspect, x = axes.x, reach = Sqrt(n * n + x * x);
+        const U d = stride * w.n, shift = Abs(d), z = TimesSignOf(step.n * n + step.x * x, d);
+        const U middle = -midSlope * z, half = shift * T(0.5);
         // Selected, not branched to: a Pack has all cases at once.
         const auto whole = shift >= 2 * reach, cross = 2 * shift > stepSqr * reach,
                    upperHidden = z > 0;
-        const V lower = Select(cross, middle - half, Select(upperHidden, -reach, reach - shift));
-        const V upper = Select(cross, middle + half, Select(upperHidden, shift - reach, reach));
+        const U lower = Select(cross, middle - half, Select(upperHidden, -reach, reach - shift));
+        const U upper = Select(cross, middle + half, Select(upperHidden, shift - reach, reach));
         return {{n, x}, reach, shift, Select(whole, -reach, lower), Select(whole, reach, upper)};
     }
 
     /// Share of the light along the in-plane direction w that passes: max(0, 1 - 2/|D|).
-    T Gap(Planar<T> w) const {
-        const Planar<T> axes = ToAxes(w);
-        const T across = std::sqrt(axes.n * axes.n + aspect * aspect * axes.x * axes.x);
-        const T passed = spacing * std::abs(w.n) - 2 * across;
-        return passed > 0 ? passed / (spacing * std::abs(w.n)) : T(0);
+    V Gap(Planar<V> w) const {
+        const Planar<V> axes = ToAxes(w);
+        const V across = std::sqrt(axes.n * axes.n + aspect * aspect * axes.x * axes.x);
+        const V passed = spacing * std::abs(w.n) - 2 * across;
+        return passed > 0 ? passed / (spacing * std::abs(w.n)) : V(0);
     }
 
     /// The |w_n| at which a direction with the given w_x sees a gap; w_n w_x has the sign of
     /// `side`. The ends are the roots of |D| = 2, a quadratic form in (w_n, w_x); (inf, inf) if
     /// there is none.
-    Interval<T> Open(T absX, T side) const {
-        constexpr T infinity = std::numeric_limits<T>::infinity();
+    Interval<V> Open(V absX, V side) const {
+        constexpr V infinity = std::numeric_limits<V>::infinity();
         if (Closed()) return {infinity, infinity};
         // b^2 h^2 = a w_n^2 + 2 b w_n w_x + c w_x^2 with a c - b^2 = aspect^2
-        const T c = sinTilt * sinTilt + aspect * aspect * cosTilt * cosTilt;
-        const T b = std::copysign(T(1), side) * sinTilt * cosTilt * (1 - aspect * aspect);
-        const T root = aspect * std::sqrt(stepSqr - 4) / 2;
+        const V c = sinTilt * sinTilt + aspect * aspect * cosTilt * cosTilt;
+        const V b = std::copysign(V(1), side) * sinTilt * cosTilt * (1 - aspect * aspect);
+        const V root = aspect * std::sqrt(stepSqr - 4) / 2;
         return {root > b ? absX * c / (root - b) : infinity,
                 -b > root ? absX * c / (-b - root) : infinity};
     }
 
   private:
-    /// Below this a direction counts as along the barbule; its square is still normal in float.
-    static constexpr T kNoReach = T(1e-18);
+    template <class Self>
+    static auto FieldsOf(Self &r) {
+        return std::tie(r.spacing, r.aspect, r.cosTilt, r.sinTilt, r.inverseAspect, r.stride,
+                        r.step.n, r.step.x, r.stepSqr, r.midSlope, r.squash);
+    }
 
-    T spacing, aspect, cosTilt, sinTilt;
-    T inverseAspect, stride;  ///< 1 / aspect, spacing / aspect
-    Planar<T> step;           ///< from one circle to the next
-    T stepSqr;                ///< its squared length, L^2
-    T midSlope;               ///< sqrt(1/L^2 - 1/4), or 0
+    V spacing, aspect, cosTilt, sinTilt;
+    V inverseAspect, stride;  ///< 1 / aspect, spacing / aspect
+    Planar<V> step;           ///< from one circle to the next
+    V stepSqr;                ///< its squared length, L^2
+    V midSlope;               ///< sqrt(1/L^2 - 1/4), or 0
+    V squash;
 };
 
 }  // namespace pbrt::feather

@@ -1,36 +1,17 @@
 #pragma once
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <concepts>
 #include <limits>
 #include <numbers>
+#include <tuple>
 
-#include "pack.h"
+#include "lanes.h"
+#include "turns.h"
 #include "units.h"
 
 namespace pbrt::feather {
-
-/// sin^2(pi turns), for any finite number of turns.
-/// float: polynomial, 2e-7 relative to the exact value of the rounded argument; written out because
-/// a call to sin would keep the loop over the nodes of TRT from being vectorised.
-template <class V>
-[[gnu::always_inline]] inline V SinSquaredPi(const V &turns) {
-    using T = ScalarOf<V>;
-    const V x = turns - Rint(turns);
-    if constexpr (sizeof(T) > sizeof(float)) {
-        const V s = Sin(std::numbers::pi_v<T> * x);
-        return s * s;
-    } else {
-        // Minimax for sin^2(pi x)/x^2 on |x| <= 1/2, 1.4e-8 before rounding; in pairs, for a
-        // shorter chain of operations.
-        const V y = x * x, ySqr = y * y;
-        const V low = T(-32.4696617) * y + T(9.86960411);
-        const V middle = T(-30.0985527) * y + T(42.7269287);
-        const V high = T(-3.33621097) * y + T(13.0371122);
-        return y * ((high * ySqr + middle) * ySqr + low);
-    }
-}
 
 /// Power shares of the two polarisations.
 template <class V>
@@ -38,65 +19,108 @@ struct Polarised {
     V s, p;
 };
 
+/// A film as TRT needs it: what passes it twice, by the squares of the cosines, without a branch.
+///
+/// With X and Y of MODEL section 3, all times turns^2 / 4: then Y is cosine^2 times the square of
+/// the phase, and sin^2 comes with its factor.
+template <class V>
+class TwicePassed {
+  public:
+    TwicePassed() = default;
+    TwicePassed(const V &turns, const V &excess, const V &invEtaSqr)
+        : turnsSqr(turns * turns), invEtaSqr(invEtaSqr) {
+        sine = RoughSinSquaredPi<V>(excess * excess * turnsSqr * T(0.25));
+        // Films below some 2 nm count as that thick, with their own contrast, lest Y underflows.
+        turnsSqr = Max(turnsSqr, V(T(1e-4)));
+        turnsSqrExcess = turnsSqr * excess;
+    }
+
+    /// All that it consists of, see lanes.h.
+    auto Fields() {
+        return std::tuple_cat(std::tie(turnsSqr, turnsSqrExcess, invEtaSqr), sine.Fields());
+    }
+    auto Fields() const {
+        return std::tuple_cat(std::tie(turnsSqr, turnsSqrExcess, invEtaSqr), sine.Fields());
+    }
+
+    /// weight (T_s T_s + T_p T_p) for light that comes in at one angle and leaves at another.
+    /// Cosines below 1e-3 count as that: light that passes there counts little. The phase is not
+    /// reduced from grazing incidence: 1e-6 of a turn in float.
+    template <class U>
+    [[gnu::always_inline]] U Weighted(const U &weight, const U &cosineSqrIn,
+                                      const U &cosineSqrOut) const {
+        const U in = Max(cosineSqrIn, U(T(1e-6))), out = Max(cosineSqrOut, U(T(1e-6)));
+        const Terms<U> i = At(in), o = At(out);
+        const U both = QuickInverse(i.s * o.s) + QuickInverse(i.p * o.p);
+        return weight * (i.y * o.y) * both;
+    }
+
+  private:
+    using T = ScalarOf<V>;
+    template <class U>
+    struct Terms {
+        U s, p;  ///< X + Y of either polarisation
+        U y;
+    };
+    template <class U>
+    [[gnu::always_inline]] Terms<U> At(const U &c2) const {
+        const U phaseSqr = turnsSqr * c2 + turnsSqrExcess, y = c2 * phaseSqr;
+        const U k = sine(Sqrt(phaseSqr)), brewster = (c2 - 1) * invEtaSqr + c2;
+        return {k + y, k * (brewster * brewster) + y, y};
+    }
+
+    V turnsSqr, turnsSqrExcess, invEtaSqr;
+    RoughSinSquaredPi<V> sine;
+};
+
 /// The keratin film at one wavelength: a lossless layer with air on both sides.
 ///
 /// S-eq.1 and S-eq.2 in real numbers (MODEL section 3): reflected and transmitted power are X/(X+Y)
 /// and Y/(X+Y), so that they sum to 1 and neither is found by subtraction.
 /// Domain: lambda > 0, thickness >= 0, eta >= 1, cosine in [0, 1] measured in air.
-template <std::floating_point T>
+template <class V>
 struct Film {
-    T excess;                 ///< eta^2 - 1
-    T invEtaSqr;              ///< 1 / eta^2
-    T contrast;               ///< (eta^2 - 1)^2
-    T turns;                  ///< phase in turns per unit of eta cos(angle in the film)
-    T grazing;                ///< eta cos(angle in the film) at grazing incidence
-    T phase;                  ///< phase in turns at grazing incidence, less a whole number
-    T fringes;                ///< turns by which the phase changes from normal to grazing incidence
-    T scale, scaledContrast;  ///< 4 and contrast, scaled for ThroughTwice
-    T limit;  ///< reflectance where X + Y = 0: 0 if there is no film, else 1 (grazing)
+    V excess;     ///< eta^2 - 1
+    V invEtaSqr;  ///< 1 / eta^2
+    V contrast;   ///< (eta^2 - 1)^2
+    V turns;      ///< phase in turns per unit of eta cos(angle in the film)
+    V grazing;    ///< eta cos(angle in the film) at grazing incidence
+    V phase;      ///< phase in turns at grazing incidence, less a whole number
+    V fringes;    ///< turns by which the phase changes from normal to grazing incidence
+    V limit;      ///< reflectance where X + Y = 0: 0 if there is no film, else 1 (grazing)
+    TwicePassed<V> twice;
 
     Film() = default;
-    Film(Nm<T> lambda, Nm<T> thickness, T eta)
+    Film(const Nm<V> &lambda, const Nm<V> &thickness, const V &eta)
         : excess((eta - 1) * (eta + 1)),
           invEtaSqr(1 / (eta * eta)),
           contrast(excess * excess),
           turns(2 * (thickness / lambda)),
-          grazing(std::sqrt(excess)),
-          phase(PhaseAtGrazing(lambda, thickness, eta)),
+          grazing(Sqrt(excess)),
+          phase(PhaseAtGrazing(lambda.value, thickness.value, eta)),
           fringes(turns * (eta - grazing)),
-          scale(T(1 << 22) * invEtaSqr * invEtaSqr),
-          scaledContrast(contrast * scale / 4),
-          limit(thickness.value == 0 || eta == 1 ? T(0) : T(1)) {}
+          limit(Select((thickness.value == 0) | (eta == 1), V(0), V(1))),
+          twice(turns, excess, invEtaSqr) {}
 
     /// Unpolarised reflectance, in [0, 1]; one division for both polarisations.
     /// float against double: 5e-7 at worst from 0 to 89.99 deg for films below 2 um.
-    T Reflectance(T cosine) const {
+    V Reflectance(const V &cosine) const {
         const auto [x, y] = Airy(cosine);
-        const T s = x.s + y, p = x.p + y;
+        const V s = x.s + y, p = x.p + y;
         // Only for cosines below 1e-9 is the product less than the least float; then this is within
         // [0, 1] all the same.
-        const T both = (x.s * p + x.p * s) / std::max(2 * s * p, std::numeric_limits<T>::min());
-        return s > 0 ? both : limit;
+        constexpr auto least = std::numeric_limits<ScalarOf<V>>::min();
+        const V both = (x.s * p + x.p * s) / Max(2 * s * p, V(least));
+        return Select(s > 0, both, limit);
     }
 
     /// Transmittance of each polarisation, in [0, 1].
-    Polarised<T> Transmittance(T cosine) const {
+    Polarised<V> Transmittance(const V &cosine) const {
         const auto [x, y] = Airy(cosine);
         return {Share(y, x.s, 1 - limit), Share(y, x.p, 1 - limit)};
     }
 
-    /// (T_s T_s + T_p T_p)/2 for light that comes in at one angle and leaves at another, by the
-    /// squares of their cosines. One division, no branch; the phase is not reduced from grazing
-    /// incidence, where light that passes counts little: 1e-6 of a turn in float.
-    template <class V>
-    [[gnu::always_inline]] V ThroughTwice(const V &cosineSqrIn, const V &cosineSqrOut) const {
-        const Terms<V> i = AiryInline(cosineSqrIn), o = AiryInline(cosineSqrOut);
-        const V s = (i.y + i.x.s) * (o.y + o.x.s), p = (i.y + i.x.p) * (o.y + o.x.p);
-        return T(0.5) * i.y * o.y * (s + p) / (s * p);
-    }
-
   private:
-    template <class V>
     struct Terms {
         Polarised<V> x;  ///< X of either polarisation
         V y;             ///< Y, which both share
@@ -104,57 +128,49 @@ struct Film {
 
     // At grazing incidence the fringes are as narrow as the cosine: the phase is reduced from
     // there, once and in double, so that float adds only what the cosine changes.
-    static T PhaseAtGrazing(Nm<T> lambda, Nm<T> thickness, T eta) {
-        const double n = eta, d = thickness.value;
-        const double whole = 2 * d * std::sqrt((n - 1) * (n + 1)) / lambda.value;
-        return T(whole - std::rint(whole));
+    static V PhaseAtGrazing(const V &lambda, const V &thickness, const V &eta) {
+        const auto n = ToDouble(eta), d = ToDouble(thickness);
+        const auto whole = 2 * d * Sqrt((n - 1) * (n + 1)) / ToDouble(lambda);
+        return FromDouble<ScalarOf<V>>(whole - Rint(whole));
     }
 
-    Terms<T> Airy(T cosine) const {
-        const T c2 = cosine * cosine;
-        const T insideSqr =
+    Terms Airy(const V &cosine) const {
+        using T = ScalarOf<V>;
+        const V c2 = cosine * cosine;
+        const V insideSqr =
             excess + c2;  // eta^2 cos^2 in the film; eta^2 - s2 without cancellation
-        const T sum = std::max(grazing + std::sqrt(insideSqr), std::numeric_limits<T>::min());
-        const T k = contrast * SinSquaredPi(phase + turns * (c2 / sum));
-        const T brewster = c2 - (1 - c2) * invEtaSqr;
+        const V sum = Max(grazing + Sqrt(insideSqr), V(std::numeric_limits<T>::min()));
+        const V k = contrast * SinSquaredPi(phase + turns * (c2 / sum));
+        const V brewster = c2 - (1 - c2) * invEtaSqr;
         return {{k, k * brewster * brewster}, 4 * c2 * insideSqr};
     }
 
-    // Scaled so that a product of four terms neither overflows nor, from a cosine of 1e-4 (below it
-    // counts as that), underflows in float.
-    template <class V>
-    [[gnu::always_inline]] Terms<V> AiryInline(const V &cosineSqr) const {
-        const V c2 = Max(cosineSqr, V(T(1e-8))), insideSqr = excess + c2;
-        const V k = scaledContrast * SinSquaredPi(turns * Sqrt(insideSqr));
-        const V brewster = c2 + c2 * invEtaSqr - invEtaSqr;
-        return {{k, k * brewster * brewster}, scale * c2 * insideSqr};
-    }
-
-    static T Share(T part, T rest, T limit) {
-        const T sum = part + rest;
-        return sum > 0 ? part / sum : limit;
+    static V Share(const V &part, const V &rest, const V &limit) {
+        const V sum = part + rest;
+        return Select(sum > 0, part / sum, limit);
     }
 };
 
 /// Films of one index and all thicknesses.
-template <std::floating_point T>
+template <class V>
 struct AverageFilm {
-    T excess, invEtaSqr;  ///< eta^2 - 1, 1 / eta^2
+    V excess, invEtaSqr;  ///< eta^2 - 1, 1 / eta^2
 
-    explicit AverageFilm(T eta) : excess((eta - 1) * (eta + 1)), invEtaSqr(1 / (eta * eta)) {}
+    explicit AverageFilm(const V &eta)
+        : excess((eta - 1) * (eta + 1)), invEtaSqr(1 / (eta * eta)) {}
 
     /// Unpolarised power, reflected : transmitted = 2F/(1+F) : (1-F)/(1+F), with F Fresnel's
     /// reflectance of one surface; both times a factor, so that nothing is divided.
     struct Shares {
-        T reflected, transmitted;
+        V reflected, transmitted;
     };
-    Shares At(T cosine) const {
-        const T inside = std::sqrt(excess + cosine * cosine);  // eta cos(angle in the film)
-        const T scaled = inside * invEtaSqr;
-        const T s = (cosine - inside) * (cosine + scaled),
+    Shares At(const V &cosine) const {
+        const V inside = Sqrt(excess + cosine * cosine);  // eta cos(angle in the film)
+        const V scaled = inside * invEtaSqr;
+        const V s = (cosine - inside) * (cosine + scaled),
                 p = (cosine - scaled) * (cosine + inside);
-        const T sum = (cosine + inside) * (cosine + scaled);
-        const T F = s * s + p * p, whole = 2 * sum * sum;
+        const V sum = (cosine + inside) * (cosine + scaled);
+        const V F = s * s + p * p, whole = 2 * sum * sum;
         return {2 * F, whole - F};
     }
 };

@@ -11,18 +11,25 @@
 namespace pbrt::feather {
 
 /// A patch of vane without its film: what does not change with the wavelength.
-template <std::floating_point T>
+template <class V>
 struct Vane {
-    Row<T> row;
-    Bend<T> bend;
+    Row<V> row;
+    Bend<V> bend;
 
+    Vane() = default;
     /// `params` within kParams' ranges.
-    explicit Vane(const BarbuleParams<T> &params)
+    explicit Vane(const BarbuleParams<ScalarOf<V>> &params) requires std::floating_point<V>
         : row(params.spacing, params.tilt, params.aspect), bend(params.opening) {}
 
+    /// Of Lanes: lane k becomes a copy of `one`.
+    void Set(int k, const Vane<ScalarOf<V>> &one) {
+        SetLane(k, row.Fields(), one.row.Fields());
+        SetLane(k, bend.Fields(), one.bend.Fields());
+    }
+
     /// Share of light from w that passes straight through, T(w) = T(-w), in [0, 1].
-    T GapFraction(Direction<T> w) const {
-        return Grazing(w) ? T(0) : feather::GapFraction(row, bend, w);
+    V GapFraction(Direction<V> w) const {
+        return Grazing(w) ? V(0) : feather::GapFraction(row, bend, w);
     }
 };
 

@@ -55,18 +55,17 @@ const FeatherBarbuleMaterial::Vane &FeatherBarbuleMaterial::VaneAt(
     return constantVane ? *constantVane : room->emplace(MakeVane<float>(ctx));
 }
 
-FeatherBarbuleBxDF FeatherBarbuleMaterial::GetBxDF(const TextureEvalContext &ctx,
-                                                   const SampledWavelengths &lambda) const {
-    feather::Optics<float, NSpectrumSamples> optics;
+FeatherSurface FeatherBarbuleMaterial::GetSurface(const TextureEvalContext &ctx,
+                                                  const SampledWavelengths &lambda) const {
+    std::optional<Vane> room;
+    FeatherSurface surface{VaneAt(ctx, &room), values[Thickness].Evaluate(ctx), {}};
     const SampledSpectrum etas = eta.Sample(lambda), reflectance = melanin.Evaluate(ctx, lambda);
     for (int i = 0; i < NSpectrumSamples; ++i) {
-        optics.lambda[i] = lambda[i];
-        optics.eta[i] = std::max(1.f, etas[i]);
-        optics.melanin[i] = std::clamp(reflectance[i], 0.f, 1.f);
+        surface.optics.lambda[i] = lambda[i];
+        surface.optics.eta[i] = std::max(1.f, etas[i]);
+        surface.optics.melanin[i] = std::clamp(reflectance[i], 0.f, 1.f);
     }
-    std::optional<Vane> room;
-    return FeatherBarbuleBxDF(
-        FeatherBarbuleBxDF::Model(VaneAt(ctx, &room), {values[Thickness].Evaluate(ctx)}, optics));
+    return surface;
 }
 
 Frame FeatherBarbuleMaterial::TurnFrame(const Frame &frame, const TextureEvalContext &ctx) const {

@@ -23,7 +23,11 @@ class FeatherBarbuleMaterial {
 
     bool IsPlain() const;
     FeatherBarbuleBxDF GetBxDF(const TextureEvalContext &ctx,
-                               const SampledWavelengths &lambda) const;
+                               const SampledWavelengths &lambda) const {
+        return FeatherBarbuleBxDF(GetSurface(ctx, lambda));
+    }
+    FeatherSurface GetSurface(const TextureEvalContext &ctx,
+                              const SampledWavelengths &lambda) const;
     /// Whether `rotation` is not 0 throughout.
     bool TurnsFrame() const {
         return !values[Rotation].IsConstant() || values[Rotation].Constant() != 0;

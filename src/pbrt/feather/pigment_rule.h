@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+
+#include "bend.h"
+#include "direction.h"
+#include "lanes.h"
+#include "quadrature.h"
+#include "row.h"
+#include "thin_film.h"
+
+namespace pbrt::feather {
+
+/// A node of a rule over the cross-section, on [-1, 1].
+template <std::floating_point T>
+struct RulePoint {
+    T node, weight;
+};
+
+/// Of `Points` in each of `Segments`. Dealt: they are one Gauss rule of Segments * Points, dealt to
+/// the segments in turn.
+template <std::floating_point T, int Segments, int Points, bool Dealt>
+constexpr RulePoint<T> PointOf(int segment, int point) {
+    constexpr auto &rule = kGaussLegendre < T, Dealt ? Segments * Points : Points > ;
+    const int k = Dealt ? point * Segments + segment : point;
+    return {rule.node[k], rule.weight[k] * (Dealt ? Segments : 1)};
+}
+
+/// Which rule integrates TRT of a pair of directions (or each pair of Lanes): 2 segments with dealt
+/// points, or 3, 4, 6 or 8 segments; 4, 8 or 16 points in each.
+///
+/// More segments where the arc is bent or seen along its slope, so that they differ more; most
+/// where one end is seen nearly edge-on, for what is seen there goes like a root. More points where
+/// a thick film has more fringes, or wide gaps show long arcs.
+template <class V>
+struct RuleChoice {
+    V segments, points;
+
+    template <std::size_t N>
+    [[gnu::always_inline]] RuleChoice(const Row<V> &row, const Bend<V> &bend,
+                                      const std::array<Film<V>, N> &films, const Direction<V> &wo,
+                                      const Direction<V> &wi) {
+        using T = ScalarOf<V>;
+        V fringes(0);
+        for (const Film<V> &film : films)
+            fringes = Max(fringes, film.fringes);
+        // By how much |w.z_a| changes along the arc, relative to its middle, is above `change`.
+        const V slopeO = Abs(wo.y) * bend.SinOpening(), slopeI = Abs(wi.y) * bend.SinOpening(),
+                heightO = Abs(wo.z), heightI = Abs(wi.z);
+        const auto slanted = [&](T change) -> MaskOf<V> {
+            return (slopeO > change * heightO) | (slopeI > change * heightI);
+        };
+        const MaskOf<V> alike = bend.Opening() * Max(V(1), fringes * T(0.4)) <= T(0.2);
+        const MaskOf<V> edgeOn = slanted(T(0.9)) & !slanted(T(1.6));
+        // Of an arc whose segments are alike: between slopes, and beyond, 3.
+        const V ofAlike = Select(slanted(T(0.6)) & !slanted(T(0.9)), V(4), V(3));
+        segments = Select(alike, Select(slanted(T(0.3)), ofAlike, V(2)), V(4));
+        segments = Select(bend.Opening() > T(0.7), V(8), Select(edgeOn, V(6), segments));
+        points = Select(alike & (fringes < T(1.4)) & (row.Spacing() < T(1.6)), V(4),
+                        Select(fringes < T(4), V(8), V(16)));
+    }
+};
+
+}  // namespace pbrt::feather
