@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "feather/model.h"
 #include "pbrt/bxdfs/conductor.h"
+#include "pbrt/bxdfs/feather_lanes.h"
 #include "pbrt/bxdfs/hair.h"
 #include "pbrt/util/rng.h"
 
@@ -18,24 +20,32 @@ WideVector3f AnyDirections(Rng &rng) {
     return w;
 }
 
-/// Every mask of eight bits twice over, other directions for each.
-template <typename BxDF, typename Make>
-void ExpectAlike(const Make &make) {
+/// Every mask of eight bits twice over, other directions for each. Lane: what BxDFLanes is of.
+struct Tolerances {
+    float f = 1e-5f;  ///< relative
+    /// Of sampled directions and, relative, of their densities.
+    float wi = 1e-6f, pdf = 1e-5f;
+};
+template <typename BxDF, typename OfLane = BxDF, typename Make>
+void ExpectAlike(const Make &make, const Tolerances &least = {}) {
     Rng rng(1);
     for (LaneBits half = 1; half < 256; ++half) {
         const LaneBits active = half | half << 8;
         std::array<std::optional<BxDF>, kWide> single;
-        BxDFLanes<BxDF> lanes;
+        BxDFLanes<OfLane> lanes;
         ForEachLane(active, [&](int i) {
             single[size_t(i)].emplace(make(i));
-            lanes.Set(i, *single[size_t(i)]);
+            lanes.Set(i, OfLane(make(i)));
         });
         const WideVector3f wo = AnyDirections(rng), wi = AnyDirections(rng);
         WidePoint2f u;
-        for (int i = 0; i < kWide; ++i)
+        WideFloat uc;
+        for (int i = 0; i < kWide; ++i) {
             SetLane(&u, i, rng.Uniform2D());
+            uc[i] = rng.Uniform();
+        }
         const BxDFValues values = lanes.Evaluate(wo, wi, active);
-        const BxDFSamples samples = lanes.Sample(wo, WideFloat{}, u, active);
+        const BxDFSamples samples = lanes.Sample(wo, uc, u, active);
         EXPECT_EQ(samples.valid & ~active, 0u);
         ForEachLane(active, [&](int i) {
             const BxDF &bxdf = *single[size_t(i)];
@@ -44,17 +54,17 @@ void ExpectAlike(const Make &make) {
             EXPECT_EQ(lanes.Flags(i), bxdf.Flags());
             const SampledSpectrum f = bxdf.f(o, in, mode);
             for (int k = 0; k < NSpectrumSamples; ++k)
-                EXPECT_NEAR(values.f[size_t(i)][k], f[k], 1e-5f * f[k]);
+                EXPECT_NEAR(values.f[size_t(i)][k], f[k], least.f * f[k]);
             const float pdf = bxdf.PDF(o, in, mode);
             EXPECT_NEAR(values.pdf[i], pdf, 1e-5f * pdf);
-            const auto s = bxdf.Sample_f(o, 0, Lane(u, i), mode);
+            const auto s = bxdf.Sample_f(o, uc[i], Lane(u, i), mode);
             ASSERT_EQ(bool(samples.valid >> i & 1), bool(s));
             if (!s) return;
             // The warp is the same formula; contraction may round its steps otherwise.
-            EXPECT_LT(Length(Lane(samples.wi, i) - s->wi), 1e-6f);
-            EXPECT_NEAR(samples.pdf[i], s->pdf, 1e-5f * (1 + s->pdf));
+            EXPECT_LT(Length(Lane(samples.wi, i) - s->wi), least.wi);
+            EXPECT_NEAR(samples.pdf[i], s->pdf, least.pdf * (1 + s->pdf));
             EXPECT_EQ(bool(samples.specular >> i & 1), IsSpecular(s->flags));
-            EXPECT_FALSE(samples.gap >> i & 1);
+            EXPECT_EQ(bool(samples.gap >> i & 1), Has(s->flags, BxDFFlags::Gap));
             EXPECT_EQ(bool(samples.transmission >> i & 1), Has(s->flags, BxDFFlags::Transmission));
         });
     }
@@ -79,6 +89,20 @@ TEST(BxDFLanes, HairsAreAsOneByOne) {
         return HairBxDF(h, 1.55f, SampledSpectrum(std::array{0.1f, 0.5f, 0.9f, 2.f}), 0.3f, 0.2f,
                         2);
     });
+}
+
+// TRT's inverses are rough; see Lanes in test/feather. A point of a facet is found by a root, which
+// makes 2.4e-4 of a rounding where it vanishes, and a mirror doubles that.
+TEST(BxDFLanes, FeathersAreNearlyAsOneByOne) {
+    ExpectAlike<FeatherBarbuleBxDF, FeatherSurface>(
+        [](int i) {
+            const feather::Shape shape{.thickness = 500 + 20. * i,
+                                       .spacing = i % 2 ? 2.5 : 1.25,
+                                       .opening = i % 3 ? 0.0785 : 0.4};
+            return FeatherSurface{feather::Vane<float>(feather::ParamsOf<float>(shape)),
+                                  float(shape.thickness), feather::Feather<float>()};
+        },
+        {.f = 1e-3f, .wi = 5e-4f, .pdf = 1e-3f});
 }
 
 }  // namespace

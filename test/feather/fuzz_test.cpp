@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-#include "feather/model.h"
+#include "feather/sixteen.h"
 
 namespace pbrt::feather {
 namespace {
@@ -96,6 +96,42 @@ class Fuzz : public testing::Test {
         }
     }
 
+    /// f, PDF and a drawn direction of sixteen pairs.
+    void RunSideBySide(int64_t evaluations) {
+        using V = Lanes<float>;
+        int wrong = 0;
+        for (int64_t n = 0; n < evaluations && wrong < 10; n += kLanes) {
+            Sixteen<float> barbules;
+            Direction<V> wo, wi;
+            V u[3];
+            for (int k = 0; k < kLanes; ++k) {
+                barbules.Set(k, AnyLegalShape(), AnyOptics());
+                SetLane(&wo, k, AnyDirection());
+                SetLane(&wi, k,
+                        dice.Uniform() < 0.05   ? Lane(wo, k)
+                        : dice.Uniform() < 0.05 ? -Lane(wo, k)
+                                                : AnyDirection());
+                for (V &number : u)
+                    number.Set(k, AnyNumber());
+            }
+            const auto all = barbules.SideBySide();
+            const View<V> view = all.SeenFrom(wo);
+            const auto f = all.f(view, wi);
+            const V pdf = all.Pdf(view, wi);
+            const auto drawn = all.Draw(view, u[0], u[1], u[2]);
+            const uint32_t grazing = BitsOf(view.grazing);
+            for (int k = 0; k < kLanes; ++k) {
+                const Direction<float> w = Lane(drawn.wi, k);
+                const char *what = nullptr;
+                if (!Sound({f[0][k], f[1][k], f[2][k], f[3][k]})) what = "f";
+                if (!Sound(pdf[k])) what = "PDF";
+                if (!(grazing >> k & 1) && !(std::abs(Dot(w, w) - 1) <= 1e-4f)) what = "direction";
+                wrong += what != nullptr;
+                EXPECT_EQ(what, nullptr) << what << ": evaluation " << n + k;
+            }
+        }
+    }
+
     static constexpr double kHalfPi = std::numbers::pi / 2;
     Dice dice{kSeed};
 };
@@ -103,9 +139,15 @@ class Fuzz : public testing::Test {
 TEST_F(Fuzz, AMillionEvaluations) {
     Run(1000000);
 }
+TEST_F(Fuzz, AMillionEvaluationsSideBySide) {
+    RunSideBySide(1000000);
+}
 /// Some three minutes; --gtest_also_run_disabled_tests.
 TEST_F(Fuzz, DISABLED_AHundredMillionEvaluations) {
     Run(100000000);
+}
+TEST_F(Fuzz, DISABLED_AHundredMillionEvaluationsSideBySide) {
+    RunSideBySide(100000000);
 }
 
 }  // namespace

@@ -19,13 +19,28 @@ struct RulePoint {
     T node, weight;
 };
 
-/// Of `Points` in each of `Segments`. Dealt: they are one Gauss rule of Segments * Points, dealt to
-/// the segments in turn.
+/// Four points for the first of two segments; the second has their mirror images. Nodes and weights
+/// are a least-squares fit, half to light and half to f, over sixteen shapes (thickness 200 to 650,
+/// spacing 0.8 to 1.5, tilt -0.8 to 0.3, aspect 0.15 to 1, opening 0.03 to 0.15) and 800 pairs of
+/// directions each: 0.12 % of light for 0.19 % with the eight points of Gauss, 0.27 % of f for
+/// 0.35.
+inline constexpr std::array<RulePoint<double>, 4> kFittedPoints{{{-0.96832343, 0.16157837},
+                                                                 {-0.57207730, 0.61620130},
+                                                                 {0.21012308, 0.81861817},
+                                                                 {0.82849701, 0.40368949}}};
+
+/// Of `Points` in each of `Segments`. Dealt: they are one rule of Segments * Points, dealt to the
+/// segments in turn: kFittedPoints where these are as many, else Gauss.
 template <std::floating_point T, int Segments, int Points, bool Dealt>
 constexpr RulePoint<T> PointOf(int segment, int point) {
-    constexpr auto &rule = kGaussLegendre < T, Dealt ? Segments * Points : Points > ;
-    const int k = Dealt ? point * Segments + segment : point;
-    return {rule.node[k], rule.weight[k] * (Dealt ? Segments : 1)};
+    if constexpr (Dealt && Segments == 2 && Points == int(kFittedPoints.size())) {
+        const auto [node, weight] = kFittedPoints[segment == 0 ? point : Points - 1 - point];
+        return {T(segment == 0 ? node : -node), T(weight)};
+    } else {
+        constexpr auto &rule = kGaussLegendre < T, Dealt ? Segments * Points : Points > ;
+        const int k = Dealt ? point * Segments + segment : point;
+        return {rule.node[k], rule.weight[k] * (Dealt ? Segments : 1)};
+    }
 }
 
 /// Which rule integrates TRT of a pair of directions (or each pair of Lanes): 2 segments with dealt
