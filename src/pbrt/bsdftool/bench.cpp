@@ -128,7 +128,6 @@ Outcome RunBench(Args args) {
     const auto *barbule = std::get_if<FeatherBarbuleMaterial>(&source->material);
     PartErrors parts;
     if (barbule) {
-        add({SideBySideCase(*barbule)});
         add(FilmCases());
         add(QuadratureCases(*barbule, o.pairs));
         parts = MeasureParts(*barbule, kPairsForParts * o.pairs);

@@ -20,6 +20,14 @@ WideFloat AverageOf(const std::array<SampledSpectrum, kWide> &spectra) {
     return average;
 }
 
+BxDFLanes<FeatherSurface> SixteenAlike(const FeatherBarbuleMaterial &material) {
+    BxDFLanes<FeatherSurface> lanes;
+    const SampledWavelengths lambda = SampledWavelengths::Of(kBenchLambda);
+    for (int i = 0; i < kWide; ++i)
+        lanes.Set(i, material.GetSurface(MiddleOfTexture(), lambda));
+    return lanes;
+}
+
 template <typename B>
 void AddTimers(const B &bsdf, BenchCase *c) {
     c->timers.push_back({&BenchRow::f, Pass([bsdf](const BenchInput &in) {
@@ -52,11 +60,31 @@ BenchCase CaseOf(const std::string &name, const Material &material) {
     return c;
 }
 
+RenderedParts Rendered(const FeatherBarbuleMaterial &material,
+                       const std::vector<BenchInput> &pairs) {
+    BxDFLanes<FeatherSurface> lanes = SixteenAlike(material);
+    RenderedParts parts;
+    for (size_t from = 0; from < pairs.size(); from += kWide) {
+        const int count = int(std::min(pairs.size() - from, size_t(kWide)));
+        WideVector3f wo{}, wi{};
+        for (int i = 0; i < count; ++i) {
+            SetLane(&wo, i, pairs[from + size_t(i)].wo);
+            SetLane(&wi, i, pairs[from + size_t(i)].wi);
+        }
+        const LaneBits active = FirstLanes(count);
+        const auto [R, TRT] = lanes.Parts(wo, wi, active);
+        const WideFloat pdf = lanes.PDF(wo, wi, active);
+        for (int i = 0; i < count; ++i) {
+            parts.R.push_back(R[size_t(i)]);
+            parts.TRT.push_back(TRT[size_t(i)]);
+            parts.pdf.push_back(pdf[i]);
+        }
+    }
+    return parts;
+}
+
 BenchCase SideBySideCase(const FeatherBarbuleMaterial &material) {
-    BxDFLanes<FeatherSurface> lanes;
-    const SampledWavelengths lambda = SampledWavelengths::Of(kBenchLambda);
-    for (int i = 0; i < kWide; ++i)
-        lanes.Set(i, material.GetSurface(MiddleOfTexture(), lambda));
+    BxDFLanes<FeatherSurface> lanes = SixteenAlike(material);
     BenchCase c;
     c.row.name = "featherbarbule, by 16";
     c.timers.push_back({&BenchRow::f, WidePass([lanes](const WideBenchInput &in) mutable {
@@ -68,6 +96,10 @@ BenchCase SideBySideCase(const FeatherBarbuleMaterial &material) {
     c.timers.push_back({&BenchRow::sample, WidePass([lanes](const WideBenchInput &in) mutable {
                             const BxDFSamples s = lanes.Sample(in.wo, in.uc, in.u, kAllLanes);
                             return AverageOf(s.f) + s.pdf + s.wi.x;
+                        })});
+    c.timers.push_back({&BenchRow::draw, WidePass([lanes](const WideBenchInput &in) mutable {
+                            const BxDFSamples s = lanes.Draw(in.wo, in.uc, in.u, kAllLanes);
+                            return s.pdf + s.wi.x;
                         })});
     return c;
 }

@@ -17,11 +17,12 @@ BenchCase HairCase();
 std::vector<BenchCase> FilmCases();
 /// One sinf, as f: the yardstick between machines.
 BenchCase SineCase();
-/// f of featherbarbule with each quadrature of TRT that there is, the renderer's first, with the
-/// error over `pairs` pairs of directions.
+/// SideBySideCase, and f of featherbarbule with each quadrature of TRT that there is, the
+/// renderer's first; with the error over `pairs` pairs of directions.
 std::vector<BenchCase> QuadratureCases(const FeatherBarbuleMaterial &material, int pairs);
 
-/// Largest errors of the float model where turns of 1e-4 change nothing of what is seen.
+/// Largest errors of what renders (R and PDF side by side) where turns of 1e-4 change nothing of
+/// what is seen.
 struct PartErrors {
     double R = 0;    ///< relative to the largest of the four wavelengths
     double pdf = 0;  ///< relative

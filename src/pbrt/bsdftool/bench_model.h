@@ -4,6 +4,7 @@
 
 #include "pbrt/bsdftool/material_source.h"
 #include "pbrt/bsdftool/oracle.h"
+#include "pbrt/bsdftool/timing.h"
 
 namespace pbrt::bsdftool {
 
@@ -21,5 +22,14 @@ template <typename T>
 feather::Direction<T> Local(Vector3f w) {
     return {T(w.x), T(w.y), T(w.z)};
 }
+
+/// The parts of f and the density of each pair of directions as the renderer finds them, sixteen
+/// side by side.
+struct RenderedParts {
+    std::vector<SampledSpectrum> R, TRT;
+    std::vector<float> pdf;
+};
+RenderedParts Rendered(const FeatherBarbuleMaterial &material,
+                       const std::vector<BenchInput> &pairs);
 
 }  // namespace pbrt::bsdftool

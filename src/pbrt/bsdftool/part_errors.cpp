@@ -29,22 +29,23 @@ PartErrors MeasureParts(const FeatherBarbuleMaterial &material, int pairs) {
     const auto oracle = BenchModel<Oracle>(material);
     PartErrors errors;
     const auto raise = [](double &most, double error) { most = std::max(most, std::abs(error)); };
-    for (const BenchInput &in : BenchInputs(pairs, 3)) {
+    const std::vector<BenchInput> inputs = BenchInputs(pairs, 3);
+    const RenderedParts rendered = Rendered(material, inputs);
+    for (size_t i = 0; i < inputs.size(); ++i) {
+        const BenchInput &in = inputs[i];
         const auto wo = Local<double>(in.wo), wi = Local<double>(in.wi);
-        const auto view = model.SeenFrom(Local<float>(in.wo));
         const auto exactView = oracle.SeenFrom(wo);
         if (in.wo.z >= kNotGrazing)
             raise(errors.gap, model.GapFraction(Local<float>(in.wo)) - oracle.GapFraction(wo));
         if (!AwayFromEdges(oracle, exactView, wi)) continue;
         const double pdf = oracle.Pdf(exactView, wi);
-        if (pdf > 0) raise(errors.pdf, model.Pdf(view, Local<float>(in.wi)) / pdf - 1);
-        const auto R = model.R(view, Local<float>(in.wi));
+        if (pdf > 0) raise(errors.pdf, rendered.pdf[i] / pdf - 1);
         const auto exact = oracle.R(exactView, wi);
         const double most = *std::max_element(exact.begin(), exact.end());
         if (most == 0) continue;
         ++errors.lit;
-        for (size_t k = 0; k < R.size(); ++k)
-            raise(errors.R, (R[k] - exact[k]) / most);
+        for (int k = 0; k < NSpectrumSamples; ++k)
+            raise(errors.R, (rendered.R[i][k] - exact[size_t(k)]) / most);
     }
     return errors;
 }

@@ -25,15 +25,16 @@ struct Reference {
     }
 };
 
-template <typename Model>
-void MeasureTRT(const Reference &reference, const Model &model, BenchRow &row) {
+/// trt(i): TRT of pair i.
+template <typename TRT>
+void MeasureTRT(const Reference &reference, const TRT &trt, BenchRow &row) {
     double light = 0, f = 0, meanLight = 0, meanF = 0;
     for (size_t i = 0; i < reference.pairs.size(); ++i) {
         const BenchInput &in = reference.pairs[i];
-        const auto trt = model.TRT(model.SeenFrom(Local<float>(in.wo)), Local<float>(in.wi));
+        const auto found = trt(i);
         const double cosines = double(in.wo.z) * in.wi.z;
-        for (size_t k = 0; k < trt.size(); ++k) {
-            const double exact = reference.exact[i][k], off = trt[k] - exact;
+        for (int k = 0; k < NSpectrumSamples; ++k) {
+            const double exact = reference.exact[i][size_t(k)], off = found[k] - exact;
             f += off * off;
             light += off * off * cosines * cosines;
             meanF += exact;
@@ -52,7 +53,14 @@ BenchCase With(const Reference &reference, const std::string &name) {
         BenchModel<feather::Barbule<float, NSpectrumSamples, Quadrature>>(reference.material);
     BenchCase c;
     c.row.name = name;
-    MeasureTRT(reference, model, c.row);
+    MeasureTRT(
+        reference,
+        [&](size_t i) {
+            const BenchInput &in = reference.pairs[i];
+            return SampledSpectrum(
+                model.TRT(model.SeenFrom(Local<float>(in.wo)), Local<float>(in.wi)));
+        },
+        c.row);
     c.timers.push_back({&BenchRow::f, Pass([model](const BenchInput &in) {
                             const auto view = model.SeenFrom(Local<float>(in.wo));
                             const auto f = model.f(view, Local<float>(in.wi));
@@ -68,15 +76,21 @@ BenchCase WithGauss(const Reference &reference) {
 }
 template <int Segments, int Points, bool Dealt>
 BenchCase WithFixed(const Reference &reference) {
+    const char *const kind = !Dealt ? "" : Points == 4 ? ", fitted" : ", dealt";
     return With<feather::FixedRule<Segments, Points, Dealt>>(
-        reference, fmt::format("{} segments x {}{}", Segments, Points, Dealt ? ", dealt" : ""));
+        reference, fmt::format("{} segments x {}{}", Segments, Points, kind));
 }
 
 }  // namespace
 
 std::vector<BenchCase> QuadratureCases(const FeatherBarbuleMaterial &material, int pairs) {
     const Reference r(material, pairs);
-    return {With<feather::AdaptiveRule>(r, "adaptive (renders)"),
+    BenchCase sideBySide = SideBySideCase(material);
+    const RenderedParts rendered = Rendered(material, r.pairs);
+    MeasureTRT(
+        r, [&](size_t i) { return rendered.TRT[i]; }, sideBySide.row);
+    return {std::move(sideBySide),
+            With<feather::AdaptiveRule>(r, "adaptive"),
             WithFixed<2, 4, true>(r),
             WithFixed<2, 8, true>(r),
             WithFixed<2, 16, true>(r),

@@ -22,10 +22,20 @@ class BxDFLanes<FeatherSurface> {
     void Regularize(int) {}
     BxDFFlags Flags(int) const { return FeatherBarbuleBxDF::kFlags; }
 
-    std::array<SampledSpectrum, kWide> f(const WideVector3f &wo, const WideVector3f &wi,
-                                         LaneBits active) {
+    using Spectra = std::array<SampledSpectrum, kWide>;
+    Spectra f(const WideVector3f &wo, const WideVector3f &wi, LaneBits active) {
         const Model &model = Barbules();
-        return Spectra(model.f(model.SeenFrom(Local(wo, active)), Local(wi, active)));
+        return SpectraOf(model.f(model.SeenFrom(Local(wo, active)), Local(wi, active)));
+    }
+    /// The two terms of f by themselves.
+    struct LobeValues {
+        Spectra R, TRT;
+    };
+    LobeValues Parts(const WideVector3f &wo, const WideVector3f &wi, LaneBits active) {
+        const Model &model = Barbules();
+        const feather::View<V> view = model.SeenFrom(Local(wo, active));
+        const feather::Direction<V> in = Local(wi, active);
+        return {SpectraOf(model.R(view, in)), SpectraOf(model.TRT(view, in))};
     }
     WideFloat PDF(const WideVector3f &wo, const WideVector3f &wi, LaneBits active) {
         const Model &model = Barbules();
@@ -35,33 +45,45 @@ class BxDFLanes<FeatherSurface> {
         const Model &model = Barbules();
         const feather::Direction<V> in = Local(wi, active);
         const feather::View<V> view = model.SeenFrom(Local(wo, active));
-        return {Spectra(model.f(view, in)), ToWide(model.Pdf(view, in))};
+        return {SpectraOf(model.f(view, in)), ToWide(model.Pdf(view, in))};
     }
 
+    /// Sample, but for f, which is only set where light passes a gap.
+    BxDFSamples Draw(const WideVector3f &wo, const WideFloat &uc, const WidePoint2f &u,
+                     LaneBits active) {
+        const feather::View<V> view = Barbules().SeenFrom(Local(wo, active));
+        return Draw(view, wo, uc, u, active);
+    }
     BxDFSamples Sample(const WideVector3f &wo, const WideFloat &uc, const WidePoint2f &u,
                        LaneBits active) {
         const Model &model = Barbules();
         const feather::View<V> view = model.SeenFrom(Local(wo, active));
-        const auto [wi, isGap] = model.Draw(view, ToLanes(uc), ToLanes(u.x), ToLanes(u.y));
-        BxDFSamples samples;
-        samples.wi = {ToWide(wi.x), ToWide(wi.y), ToWide(wi.z)};
-        samples.gap = samples.specular = feather::BitsOf(isGap) & active;
-        // Of gaps f is known, and nothing else need be found.
-        const LaneBits others = active & ~samples.gap;
-        const feather::Direction<V> in = Local(samples.wi, others);
-        samples.f = Spectra(model.f(view, in));
-        const WideFloat chance = ToWide(1 - view.pigmentChance);
-        samples.pdf = Select(MaskOf(samples.gap), chance, ToWide(model.Pdf(view, in)));
-        ForEachLane(samples.gap,
-                    [&](int i) { samples.f[size_t(i)] = SampledSpectrum(1 / std::abs(wo.z[i])); });
-        samples.valid = active & BitsOf(samples.pdf > 0.f) & ~feather::BitsOf(view.grazing);
-        samples.transmission = samples.gap | BitsOf((samples.wi.z < 0.f) != (wo.z < 0.f));
+        BxDFSamples samples = Draw(view, wo, uc, u, active);
+        const LaneBits others = samples.valid & ~samples.gap;
+        const Spectra f = SpectraOf(model.f(view, Local(samples.wi, others)));
+        ForEachLane(others, [&](int i) { samples.f[size_t(i)] = f[size_t(i)]; });
         return samples;
     }
 
   private:
     using V = feather::Lanes<float>;
     using Model = feather::Barbule<V, NSpectrumSamples>;
+
+    BxDFSamples Draw(const feather::View<V> &view, const WideVector3f &wo, const WideFloat &uc,
+                     const WidePoint2f &u, LaneBits active) {
+        const Model &model = *barbules;
+        const auto [wi, isGap] = model.Draw(view, ToLanes(uc), ToLanes(u.x), ToLanes(u.y));
+        BxDFSamples samples;
+        samples.wi = {ToWide(wi.x), ToWide(wi.y), ToWide(wi.z)};
+        samples.gap = samples.specular = feather::BitsOf(isGap) & active;
+        const WideFloat pdf = ToWide(model.Pdf(view, wi)), chance = ToWide(1 - view.pigmentChance);
+        samples.pdf = Select(MaskOf(samples.gap), chance, pdf);
+        samples.valid = active & BitsOf(samples.pdf > 0.f) & ~feather::BitsOf(view.grazing);
+        samples.transmission = samples.gap | BitsOf((samples.wi.z < 0.f) != (wo.z < 0.f));
+        ForEachLane(samples.gap,
+                    [&](int i) { samples.f[size_t(i)] = SampledSpectrum(1 / std::abs(wo.z[i])); });
+        return samples;
+    }
 
     static V ToLanes(const WideFloat &x) { return V::At(reinterpret_cast<const float *>(&x)); }
     static WideFloat ToWide(const V &x) {
@@ -73,8 +95,8 @@ class BxDFLanes<FeatherSurface> {
     static feather::Direction<V> Local(const WideVector3f &w, LaneBits active) {
         return {ToLanes(w.x), ToLanes(w.y), ToLanes(Select(MaskOf(active), w.z, 0.f))};
     }
-    static std::array<SampledSpectrum, kWide> Spectra(const Model::Spectrum &values) {
-        std::array<SampledSpectrum, kWide> spectra;
+    static Spectra SpectraOf(const Model::Spectrum &values) {
+        Spectra spectra;
         for (int i = 0; i < kWide; ++i) {
             std::array<float, NSpectrumSamples> one;
             for (size_t k = 0; k < NSpectrumSamples; ++k)
