@@ -17,8 +17,8 @@ struct FeatherSurface {
 class FeatherBarbuleBxDF {
   public:
     using Model = feather::Barbule<float, NSpectrumSamples>;
-    static constexpr BxDFFlags kFlags = BxDFFlags::Reflection | BxDFFlags::Transmission |
-                                        BxDFFlags::Glossy | BxDFFlags::Diffuse;
+    static constexpr BxDFFlags kFlags =
+        BxDFFlags::Reflection | BxDFFlags::Transmission | BxDFFlags::Glossy | BxDFFlags::Diffuse;
 
     explicit FeatherBarbuleBxDF(const Model &barbule) : barbule(barbule) {}
     explicit FeatherBarbuleBxDF(const FeatherSurface &at)
@@ -26,7 +26,7 @@ class FeatherBarbuleBxDF {
 
     BxDFFlags Flags() const { return kFlags; }
     SampledSpectrum f(Vector3f wo, Vector3f wi, TransportMode) const {
-        return SampledSpectrum(barbule.f(barbule.SeenFrom(Local(wo)), Local(wi)));
+        return SampledSpectrum(barbule.f(Local(wo), Local(wi)));
     }
     float PDF(Vector3f wo, Vector3f wi, TransportMode) const {
         return barbule.Pdf(barbule.SeenFrom(Local(wo)), Local(wi));

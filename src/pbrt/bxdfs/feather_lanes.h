@@ -24,8 +24,7 @@ class BxDFLanes<FeatherSurface> {
 
     using Spectra = std::array<SampledSpectrum, kWide>;
     Spectra f(const WideVector3f &wo, const WideVector3f &wi, LaneBits active) {
-        const Model &model = Barbules();
-        return SpectraOf(model.f(model.SeenFrom(Local(wo, active)), Local(wi, active)));
+        return SpectraOf(Barbules().f(Local(wo, active), Local(wi, active)));
     }
     /// The two terms of f by themselves.
     struct LobeValues {

@@ -55,6 +55,9 @@ template <class V, int N, class Quadrature = AdaptiveRule>
 class Barbule {
     using T = ScalarOf<V>;
     using Mask = MaskOf<V>;
+    /// Of a view's direction: a reference would keep all of the view alive. Over copies of Lanes
+    /// g++ 12 breaks down.
+    using Kept = std::conditional_t<std::floating_point<V>, Direction<V>, const Direction<V> &>;
 
   public:
     using Spectrum = std::array<V, N>;
@@ -95,8 +98,9 @@ class Barbule {
     }
 
     /// R + TRT; the gap is a delta and not in f.
-    Spectrum f(const View<V> &view, const Direction<V> &wi) const {
-        const Kept wo = view.wo;
+    Spectrum f(const View<V> &view, const Direction<V> &wi) const { return f(view.wo, wi); }
+    /// The same, where nothing else is asked of the view.
+    Spectrum f(Kept wo, const Direction<V> &wi) const {
         Spectrum sum;
         SetReturned(wo, wi, &sum);
         AddReflected(wo, wi, &sum);
@@ -161,10 +165,6 @@ class Barbule {
     V GapFraction(const Direction<V> &w) const { return feather::GapFraction(row, bend, w); }
 
   private:
-    /// Of a view's direction: a reference would keep all of the view alive. Over copies of Lanes
-    /// g++ 12 breaks down.
-    using Kept = std::conditional_t<std::floating_point<V>, Direction<V>, const Direction<V> &>;
-
     static constexpr T kBelowOne = 1 - std::numeric_limits<T>::epsilon() / 2;
 
     static V Finite(const V &x) { return Min(x, V(std::numeric_limits<T>::max())); }

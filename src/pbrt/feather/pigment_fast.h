@@ -84,8 +84,9 @@ void PigmentByRule(const Row<T> &row, const Bend<T> &bend, const std::array<Film
     const T squash = row.Squash(), scale = 1 / (4 * row.Spacing() * bend.SinOpening() * squash);
     const Sides wx = Halves<Sides>(wo.x, wi.x), wy = Halves<Sides>(wo.y, wi.y),
                 wz = Halves<Sides>(wo.z, wi.z);
-    const auto repeat = [](const Sides &sides)
-                            [[gnu::always_inline]] { return Repeated<kAtOnce>(sides); };
+    const auto repeat = [](const Sides &sides) __attribute__((always_inline)) {
+        return Repeated<kAtOnce>(sides);
+    };
     Nodes sum[N];
     std::fill_n(sum, N, Nodes(0));
     for (const auto &group : rule.groups) {

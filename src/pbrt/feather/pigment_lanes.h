@@ -139,7 +139,7 @@ class PigmentOfLanes {
     template <int Points, int k>
     void AddFirst(const MaskOf<V> &on) {
         const auto two = choice.segments == 2;
-        const auto pointAt = [&](int j) [[gnu::always_inline]] {
+        const auto pointAt = [&](int j) __attribute__((always_inline)) {
             const RulePoint<T> dealt = kDealt<Points>[k][j],
                                own = PointOf<T, 1, Points, false>(0, j);
             return std::pair{Select(two, V(dealt.node), V(own.node)),
@@ -203,7 +203,7 @@ class PigmentOfLanes {
         Segment<Points / Shares>(
             rowThere, there, [&](std::size_t i) -> auto & { return filmsThere[i]; },
             kRest.NodeAt(segmentOf), kRest.WeightAt(segmentOf),
-            [&](int j) [[gnu::always_inline]] {
+            [&](int j) __attribute__((always_inline)) {
                 return std::pair{V::At(points.node[j].data()), V::At(points.weight[j].data())};
             },
             &more);
@@ -223,14 +223,14 @@ class PigmentOfLanes {
     [[gnu::always_inline]] static void Segment(const Row<V> &row, const Pairs &p,
                                                const FilmAt &film, const V &node, const V &weight,
                                                const PointAt &pointAt, std::array<V, N> *sum) {
-        const auto [a, rate] = p.arc.At(node);
+        const auto bent = p.arc.At(node);
         const auto across = [&](const Direction<V> &w) {
-            return Planar<V>{w.y * a.x + w.z * a.n, w.x};
+            return Planar<V>{w.y * bent.point.x + w.z * bent.point.n, w.x};
         };
         const SegmentViews<V> o(row, across(p.wo)), i(row, across(p.wi));
         const CommonArcs<V> arcs = SeenByBoth(o, i, row.Squash());
-        const PigmentNodes<V> nodes(arcs.middle, arcs.chord, arcs.chord * (rate * weight), o.axes,
-                                    i.axes, row.Aspect(), row.Squash());
+        const PigmentNodes<V> nodes(arcs.middle, arcs.chord, arcs.chord * (bent.rate * weight),
+                                    o.axes, i.axes, row.Aspect(), row.Squash());
         sum->fill(V(0));
         for (int j = 0; j < Points; ++j) {
             const auto [point, pointWeight] = pointAt(j);
