@@ -273,13 +273,12 @@ class Barbule {
         const Mask grazing = Grazing(wo);
         if (All(grazing)) return vane;
         const auto [middle, rSqr, along] = bend.MiddleSeenFrom(wo);
-        const RowView<V> seen = row.SeenFrom(Planar<V>{along, wo.x});
         // Of any length: nothing is divided.
-        const Planar<V> e = seen.ScaledPointAt((seen.lower + seen.upper) * T(0.5));
+        const auto [e, reachSqr] = row.MiddleSeenFrom(Planar<V>{along, wo.x});
         const Planar<V> n = row.FromAxes({e.n, row.Aspect() * e.x});
-        return Select(grazing, vane,
-                      Normalized({n.x * rSqr, n.n * middle.x, n.n * middle.n}, vane,
-                                 seen.reach * seen.reach * rSqr));
+        return Select(
+            grazing, vane,
+            Normalized({n.x * rSqr, n.n * middle.x, n.n * middle.n}, vane, reachSqr * rSqr));
     }
 
     /// w with length 1; `otherwise` if it is shorter than rounding leaves vectors of length `unit`.

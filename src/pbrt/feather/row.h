@@ -105,16 +105,32 @@ class Row {
     template <class U = V>
     [[gnu::always_inline]] RowView<U> SeenFrom(const Planar<U> &w) const {
         using T = ScalarOf<V>;
-        const Planar<U> axes = ToAxes(w);
-        const U n = axes.n * inverseAspect, x = axes.x, reach = Sqrt(n * n + x * x);
-        const U d = stride * w.n, shift = Abs(d), z = TimesSignOf(step.n * n + step.x * x, d);
-        const U middle = -midSlope * z, half = shift * T(0.5);
+        const Beam<U> b = BeamAlong(w);
+        const U middle = -midSlope * b.z, half = b.shift * T(0.5);
         // Selected, not branched to: a Pack has all cases at once.
-        const auto whole = shift >= 2 * reach, cross = 2 * shift > stepSqr * reach,
-                   upperHidden = z > 0;
-        const U lower = Select(cross, middle - half, Select(upperHidden, -reach, reach - shift));
-        const U upper = Select(cross, middle + half, Select(upperHidden, shift - reach, reach));
-        return {{n, x}, reach, shift, Select(whole, -reach, lower), Select(whole, reach, upper)};
+        const auto whole = b.shift >= 2 * b.reach, cross = 2 * b.shift > stepSqr * b.reach,
+                   upperHidden = b.z > 0;
+        const U lower =
+            Select(cross, middle - half, Select(upperHidden, -b.reach, b.reach - b.shift));
+        const U upper =
+            Select(cross, middle + half, Select(upperHidden, b.shift - b.reach, b.reach));
+        return {b.image, b.reach, b.shift, Select(whole, -b.reach, lower),
+                Select(whole, b.reach, upper)};
+    }
+
+    /// The point half-way across what w sees, times reach^2, and reach^2. The middle of SeenFrom's
+    /// interval, found without its ends.
+    struct Middle {
+        Planar<V> point;
+        V reachSqr;
+    };
+    Middle MiddleSeenFrom(const Planar<V> &w) const {
+        const Beam<V> b = BeamAlong(w);
+        const V beside = Max(V(0), b.reach - b.shift * ScalarOf<V>(0.5));
+        const V middle =
+            Select(2 * b.shift > stepSqr * b.reach, midSlope * b.z, TimesSignOf(beside, b.z));
+        const RowView<V> view{b.image, b.reach, b.shift, V(0), V(0)};
+        return {view.ScaledPointAt(-middle), b.reach * b.reach};
     }
 
     /// Share of the light along the in-plane direction w that passes: max(0, 1 - 2/|D|).
@@ -140,6 +156,20 @@ class Row {
     }
 
   private:
+    /// A direction under the affine map, and the next circle as seen along it.
+    template <class U>
+    struct Beam {
+        Planar<U> image;
+        U reach, shift;  ///< as RowView's
+        U z;             ///< z reach, times the sign of D
+    };
+    template <class U>
+    [[gnu::always_inline]] Beam<U> BeamAlong(const Planar<U> &w) const {
+        const Planar<U> axes = ToAxes(w);
+        const U n = axes.n * inverseAspect, x = axes.x, d = stride * w.n;
+        return {{n, x}, Sqrt(n * n + x * x), Abs(d), TimesSignOf(step.n * n + step.x * x, d)};
+    }
+
     template <class Self>
     static auto FieldsOf(Self &r) {
         return std::tie(r.spacing, r.aspect, r.cosTilt, r.sinTilt, r.inverseAspect, r.stride,
