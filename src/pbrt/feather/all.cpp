@@ -7,10 +7,11 @@
 #include "dispersion.h"
 #include "facets.h"
 #include "gap.h"
-#include "params.h"
-#include "pigment.h"
 #include "lanes.h"
 #include "pack.h"
+#include "pack_halves.h"
+#include "params.h"
+#include "pigment.h"
 #include "pigment_fast.h"
 #include "pigment_lanes.h"
 #include "pigment_nodes.h"
@@ -20,6 +21,8 @@
 #include "thin_film.h"
 #include "turns.h"
 #include "units.h"
+#include "vane.h"
+#include "view.h"
 
 namespace pbrt::feather {
 
@@ -34,7 +37,10 @@ template class Bend<double>;
 template class Barbule<float, 4>;
 template class Barbule<double, 4>;
 template class Barbule<double, 4, Converged<16, 32>>;
-
+using Sixteen = Lanes<float>;
+template std::array<Sixteen, 4> Barbule<Sixteen, 4>::f(const View<Sixteen> &,
+                                                       const Direction<Sixteen> &) const;
+template Sixteen Barbule<Sixteen, 4>::Pdf(const View<Sixteen> &, const Direction<Sixteen> &) const;
 
 static_assert([] {
     for (const Param &p : kParams)

@@ -20,28 +20,9 @@
 #include "thin_film.h"
 #include "turns.h"
 #include "vane.h"
+#include "view.h"
 
 namespace pbrt::feather {
-
-/// What scatters light at a vertex, seen from one direction; made by Barbule::SeenFrom.
-/// Sampler, pdf and f read it, so that they cannot drift apart.
-template <class V>
-struct View {
-    Direction<V> wo;
-    Direction<V> meanNormal;  ///< of the facets that wo sees, about
-    V pigmentChance;          ///< probability of the TRT lobes, p_t
-    MaskOf<V> grazing;        ///< see Grazing: nothing is scattered
-};
-
-/// A drawn direction. `pdf` is of all lobes, 1/sr; for a gap it is the probability of the delta
-/// lobe wi = -wo, and f its weight / |wi.z|.
-template <std::floating_point T, int N>
-struct Sample {
-    Direction<T> wi;
-    std::array<T, N> f;
-    T pdf;
-    bool isGap;
-};
 
 /// The feather's BSDF: glint off the keratin film (R), pigment return (TRT) and gap (T).
 ///

@@ -23,8 +23,8 @@ namespace pbrt::feather {
 // passes from lane to lane. Here is what both kinds of V have in common.
 
 inline constexpr int kLanes = 16;
-// Unlike the registers of one evaluation (see kRegisterBytes): what is sixteen wide takes little more
-// than half of the time in registers of 64 bytes and with AVX-512's instructions.
+// Unlike the registers of one evaluation (see kRegisterBytes): what is sixteen wide takes little
+// more than half of the time in registers of 64 bytes and with AVX-512's instructions.
 #if defined(__AVX512F__)
 inline constexpr int kLaneBytes = 64;
 #else

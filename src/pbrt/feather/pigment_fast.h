@@ -9,7 +9,7 @@
 #include "arc.h"
 #include "bend.h"
 #include "direction.h"
-#include "pack.h"
+#include "pack_halves.h"
 #include "pigment_lanes.h"
 #include "pigment_nodes.h"
 #include "pigment_rule.h"

@@ -5,6 +5,7 @@
 
 #include "direction.h"
 #include "lanes.h"
+#include "pack_halves.h"
 #include "row.h"
 
 namespace pbrt::feather {
