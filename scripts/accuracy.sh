@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Measures speed and error of the feather model, and writes docs/accuracy/*.csv, the plots
-# docs/images/accuracy-*.png and the tables of docs/ACCURACY.md. Some five minutes; matplotlib goes
+# docs/images/accuracy-*.png and the tables of docs/ACCURACY.md. Some two minutes; matplotlib goes
 # into .venv. The machine should be quiet: times are the least of many rounds, but not magic.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
