@@ -73,8 +73,7 @@ def targets(bench, sparse):
         return [number(row, column) / unit for row in (renders, alone)]
 
     def error(column):
-        rows = [(renders, bench[DEFAULT])]
-        return [100 * number(row, column) for row in rows[0]]
+        return [100 * number(row, column) for row in (renders, bench[DEFAULT])]
 
     def worst(column):
         return [max(number(kind[MODEL], column) for kind in (bench, sparse))]

@@ -64,21 +64,18 @@ RenderedParts Rendered(const FeatherBarbuleMaterial &material,
                        const std::vector<BenchInput> &pairs) {
     BxDFLanes<FeatherSurface> lanes = SixteenAlike(material);
     RenderedParts parts;
-    for (size_t from = 0; from < pairs.size(); from += kWide) {
-        const int count = int(std::min(pairs.size() - from, size_t(kWide)));
-        WideVector3f wo{}, wi{};
-        for (int i = 0; i < count; ++i) {
-            SetLane(&wo, i, pairs[from + size_t(i)].wo);
-            SetLane(&wi, i, pairs[from + size_t(i)].wi);
-        }
-        const LaneBits active = FirstLanes(count);
-        const auto [R, TRT] = lanes.Parts(wo, wi, active);
-        const WideFloat pdf = lanes.PDF(wo, wi, active);
-        for (int i = 0; i < count; ++i) {
-            parts.R.push_back(R[size_t(i)]);
-            parts.TRT.push_back(TRT[size_t(i)]);
+    size_t left = pairs.size();
+    for (const WideBenchInput &in : SideBySide(pairs)) {
+        const size_t count = std::min(left, size_t(kWide));
+        const LaneBits active = FirstLanes(int(count));
+        const auto [R, TRT] = lanes.Parts(in.wo, in.wi, active);
+        const WideFloat pdf = lanes.PDF(in.wo, in.wi, active);
+        for (size_t i = 0; i < count; ++i) {
+            parts.R.push_back(R[i]);
+            parts.TRT.push_back(TRT[i]);
             parts.pdf.push_back(pdf[i]);
         }
+        left -= count;
     }
     return parts;
 }

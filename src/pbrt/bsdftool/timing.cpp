@@ -6,6 +6,11 @@
 #include "pbrt/util/sampling.h"
 
 namespace pbrt::bsdftool {
+namespace {
+
+constexpr int kTimedInputs = 2048;
+
+}  // namespace
 
 std::vector<BenchInput> BenchInputs(int count, uint64_t seed) {
     Rng rng(seed);
@@ -20,24 +25,26 @@ std::vector<BenchInput> BenchInputs(int count, uint64_t seed) {
 }
 
 const std::vector<BenchInput> &TimedInputs() {
-    static const std::vector<BenchInput> inputs = BenchInputs(2048, 1);
+    static const std::vector<BenchInput> inputs = BenchInputs(kTimedInputs, 1);
     return inputs;
 }
 
+std::vector<WideBenchInput> SideBySide(const std::vector<BenchInput> &inputs) {
+    std::vector<WideBenchInput> wide((inputs.size() + kWide - 1) / kWide);
+    for (size_t i = 0; i < inputs.size(); ++i) {
+        WideBenchInput &to = wide[i / kWide];
+        const int lane = int(i % kWide);
+        SetLane(&to.wo, lane, inputs[i].wo);
+        SetLane(&to.wi, lane, inputs[i].wi);
+        SetLane(&to.uc, lane, inputs[i].uc);
+        SetLane(&to.u, lane, inputs[i].u);
+    }
+    return wide;
+}
+
 const std::vector<WideBenchInput> &WideTimedInputs() {
-    static const std::vector<WideBenchInput> inputs = [] {
-        const std::vector<BenchInput> &one = TimedInputs();
-        std::vector<WideBenchInput> wide(one.size() / kWide);
-        for (size_t i = 0; i < wide.size() * kWide; ++i) {
-            WideBenchInput &to = wide[i / kWide];
-            const int lane = int(i % kWide);
-            SetLane(&to.wo, lane, one[i].wo);
-            SetLane(&to.wi, lane, one[i].wi);
-            SetLane(&to.uc, lane, one[i].uc);
-            SetLane(&to.u, lane, one[i].u);
-        }
-        return wide;
-    }();
+    static const std::vector<WideBenchInput> inputs = SideBySide(TimedInputs());
+    static_assert(kTimedInputs % kWide == 0);
     return inputs;
 }
 

@@ -45,45 +45,38 @@ struct BenchCase {
     std::vector<Timer> timers;
 };
 
+/// Pairs, sixteen side by side; the last lanes may be empty.
+struct WideBenchInput {
+    WideVector3f wo{}, wi{};
+    WideFloat uc{};
+    WidePoint2f u{};
+};
+std::vector<WideBenchInput> SideBySide(const std::vector<BenchInput> &inputs);
+const std::vector<WideBenchInput> &WideTimedInputs();
+
+/// Nanoseconds per input of `call` for each of the inputs, `inEach` side by side in every one.
+template <typename Sum, typename Input, typename F>
+double TimeOf(const std::vector<Input> &inputs, int inEach, F &call) {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    Sum sum{};
+    for (const Input &input : inputs)
+        sum += call(input);
+    [[maybe_unused]] volatile Sum sink = sum;
+    const std::chrono::duration<double, std::nano> time = Clock::now() - start;
+    return time.count() / (double(inEach) * double(inputs.size()));
+}
+
 /// A pass that calls `call` for each of TimedInputs. `call` turns an input into a number that
 /// depends on all it computed, lest the compiler leave it out.
 template <typename F>
 std::function<double()> Pass(F call) {
-    return [call] {
-        const std::vector<BenchInput> &inputs = TimedInputs();
-        using Clock = std::chrono::steady_clock;
-        const Clock::time_point start = Clock::now();
-        float sum = 0;
-        for (const BenchInput &input : inputs)
-            sum += call(input);
-        [[maybe_unused]] volatile float sink = sum;
-        const std::chrono::duration<double, std::nano> time = Clock::now() - start;
-        return time.count() / double(inputs.size());
-    };
+    return [call]() mutable { return TimeOf<float>(TimedInputs(), 1, call); };
 }
-
-/// TimedInputs, sixteen side by side.
-struct WideBenchInput {
-    WideVector3f wo, wi;
-    WideFloat uc;
-    WidePoint2f u;
-};
-const std::vector<WideBenchInput> &WideTimedInputs();
-
 /// As Pass, sixteen inputs a call; ns per input. `call` turns them into numbers by lane.
 template <typename F>
 std::function<double()> WidePass(F call) {
-    return [call]() mutable {
-        const std::vector<WideBenchInput> &inputs = WideTimedInputs();
-        using Clock = std::chrono::steady_clock;
-        const Clock::time_point start = Clock::now();
-        WideFloat sum{};
-        for (const WideBenchInput &input : inputs)
-            sum += call(input);
-        [[maybe_unused]] volatile float sink = sum[0];
-        const std::chrono::duration<double, std::nano> time = Clock::now() - start;
-        return time.count() / double(kWide * inputs.size());
-    };
+    return [call]() mutable { return TimeOf<WideFloat>(WideTimedInputs(), kWide, call); };
 }
 
 /// All timers in turns, three passes each (the first warms the caches), so that a busy machine

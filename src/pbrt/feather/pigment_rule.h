@@ -37,7 +37,8 @@ constexpr RulePoint<T> PointOf(int segment, int point) {
         const auto [node, weight] = kFittedPoints[segment == 0 ? point : Points - 1 - point];
         return {T(segment == 0 ? node : -node), T(weight)};
     } else {
-        constexpr auto &rule = kGaussLegendre < T, Dealt ? Segments * Points : Points > ;
+        constexpr int kAll = Dealt ? Segments * Points : Points;
+        constexpr auto &rule = kGaussLegendre<T, kAll>;
         const int k = Dealt ? point * Segments + segment : point;
         return {rule.node[k], rule.weight[k] * (Dealt ? Segments : 1)};
     }
