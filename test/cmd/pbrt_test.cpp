@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "pbrt/image/image.h"
+#include "support/folders.h"
 
 namespace pbrt {
 namespace {
@@ -34,8 +35,8 @@ class Program : public testing::Test {
     void TearDown() override { fs::remove_all(folder); }
 
     Outcome Run(const std::string &arguments, const std::string &before = "") {
-        const std::string command = "cd '" + folder.string() + "' && " + before +
-                                    " '" PBRT_PROGRAM "' " + arguments + " 2>&1";
+        const std::string command = "cd '" + folder.string() + "' && " + before + " '" +
+                                    ProgramDir() + "/pbrt' " + arguments + " 2>&1";
         Outcome outcome;
         FILE *pipe = popen(command.c_str(), "r");
         char buffer[4096];

@@ -7,10 +7,11 @@
 #include <sstream>
 
 #include "pbrt/ptex/texture.h"
+#include "support/folders.h"
 
 namespace pbrt {
 
-inline const std::string kPtexData = std::string(PBRT_SOURCE_DIR) + "/test/ptex/data/";
+inline const std::string kPtexData = SourceDir() + "/test/ptex/data/";
 
 /// What the real library read at one place.
 struct PtexProbe {

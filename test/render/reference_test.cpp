@@ -5,11 +5,12 @@
 #include <sstream>
 
 #include "render/render_text.h"
+#include "support/folders.h"
 
 namespace pbrt::test {
 namespace {
 
-const std::string kData = PBRT_SOURCE_DIR "/test/render/data/";
+const std::string kData = SourceDir() + "/test/render/data/";
 
 std::string SceneAt100(const std::string &name) {
     std::ifstream file(kData + name + ".pbrt");

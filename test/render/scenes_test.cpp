@@ -7,6 +7,7 @@
 #include "pbrt/cpu/render.h"
 #include "pbrt/imgtool/tile_scores.h"
 #include "render/render_text.h"
+#include "support/folders.h"
 
 namespace pbrt::test {
 namespace {
@@ -19,7 +20,7 @@ constexpr int kSpp = 16, kSeed = 100000;
 
 std::vector<std::string> ScenesWithReference() {
     std::vector<std::string> names;
-    for (const fs::directory_entry &folder : fs::directory_iterator(PBRT_SOURCE_DIR "/scenes"))
+    for (const fs::directory_entry &folder : fs::directory_iterator(SourceDir() + "/scenes"))
         if (fs::exists(folder.path() / "reference.exr"))
             names.push_back(folder.path().filename().string());
     std::sort(names.begin(), names.end());
@@ -29,10 +30,11 @@ std::vector<std::string> ScenesWithReference() {
 class Scenes : public testing::TestWithParam<std::string> {};
 
 TEST_P(Scenes, LookLikeTheirReference) {
-    const std::string folder = PBRT_SOURCE_DIR "/scenes/" + GetParam() + "/";
+    const std::string folder = SourceDir() + "/scenes/" + GetParam() + "/";
     if (fs::exists(folder + "generate.sh")) {
         ASSERT_EQ(
-            std::system(("'" + folder + "generate.sh' '" PBRT_PROGRAMS "' >/dev/null").c_str()), 0);
+            std::system(("'" + folder + "generate.sh' '" + ProgramDir() + "' >/dev/null").c_str()),
+            0);
     }
     const Image reference = *ReadImage(folder + "reference.exr").value;
     const Image variance = *ReadImage(folder + "reference-variance.exr").value;

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "scene/parse.h"
+#include "support/folders.h"
 
 namespace pbrt {
 namespace {
@@ -220,7 +221,7 @@ TEST(ParamDict, FileNamesStartFromTheScenesFolder) {
     const auto parsed = ParseWorld(
         "Material \"m\" \"string filename\" \"param_dict_test.cpp\" "
         "\"string other\" \"none.exr\" \"string absolute\" \"/x\"");
-    const std::string dir = std::string(PBRT_SOURCE_DIR) + "/test/scene";
+    const std::string dir = SourceDir() + "/test/scene";
     const Entity m = All(parsed->scene.materials).at(0);
     ParamDict d(m.params, m.loc, "material \"m\"", m.colorSpace, &parsed->log, dir);
     EXPECT_EQ(d.GetFileName("filename"), dir + "/param_dict_test.cpp");

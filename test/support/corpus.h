@@ -12,14 +12,15 @@
 #include <vector>
 
 #include "pbrt/util/diagnostics.h"
+#include "support/folders.h"
 
 namespace pbrt {
 
-/// A folder of broken scenes below test/: NN-name.pbrt beside NN-name.expected, which holds a line for each message as
-/// the program prints it: `Error: file:line:column: message` or `Warning: ...`, `file` relative to
-/// the folder. A program is checked in the same way by running it in the folder.
+/// A folder of broken scenes below test/: NN-name.pbrt beside NN-name.expected, which holds a line
+/// for each message as the program prints it: `Error: file:line:column: message` or `Warning: ...`,
+/// `file` relative to the folder. A program is checked in the same way by running it in the folder.
 inline std::filesystem::path CorpusFolder(const std::string &folder) {
-    return std::filesystem::path(PBRT_SOURCE_DIR) / "test" / folder;
+    return std::filesystem::path(SourceDir()) / "test" / folder;
 }
 
 /// Names of the scenes, without folder and extension, sorted.
