@@ -1,4 +1,5 @@
 #include <regex>
+#include <sstream>
 
 #include "bsdftool/tool_test.h"
 #include "feather/model.h"

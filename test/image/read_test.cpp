@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 #include <png.h>
 
+#include <cstdint>
+
 #include "image/pictures.h"
 #include "image/sample_files.h"
 #include "pbrt/image/image.h"

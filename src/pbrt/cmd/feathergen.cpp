@@ -1,3 +1,5 @@
+#include <vector>
+
 #include "pbrt/feathergen/commands.h"
 
 int main(int argc, char **argv) {

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <csetjmp>
+#include <cstdint>
 #include <cstring>
 
 #include "pbrt/image/codecs.h"
