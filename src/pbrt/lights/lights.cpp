@@ -1,6 +1,9 @@
 #include "pbrt/lights/lights.h"
 
+#include <fmt/format.h>
+
 #include "pbrt/lights/infinite.h"
+#include "pbrt/util/range.h"
 
 namespace pbrt {
 namespace {
@@ -35,6 +38,11 @@ std::optional<Light> CreateLight(std::string_view type, ParamDict &params,
         return std::nullopt;
     }
     std::optional<Light> light = CreateNamed(type, params, renderFromLight);
+    const auto place = light ? Bounds(*light) : std::nullopt;
+    if (place && !IsInRange(place->bounds))
+        params.Error("from", fmt::format("light \"{}\" stands beyond {:g}, up to where light can "
+                                         "be traced",
+                                         type, kFarthest));
     params.ReportUnused();
     return light;
 }
