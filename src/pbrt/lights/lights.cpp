@@ -12,6 +12,14 @@ constexpr std::array<std::string_view, 4> kNames{PointLight::kName, SpotLight::k
                                                  DistantLight::kName, UniformInfiniteLight::kName};
 constexpr std::array<std::string_view, 1> kAreaNames{DiffuseAreaLight::kName};
 
+/// Whether directions keep lengths to normalise by on their way to the light and back.
+bool KeepsDirections(const Transform &t) {
+    for (const Vector3f &axis : {Vector3f{1, 0, 0}, Vector3f{0, 1, 0}, Vector3f{0, 0, 1}})
+        if (!HasSafeLength(t.Vector(axis)) || !HasSafeLength(t.Inverse().Vector(axis)))
+            return false;
+    return true;
+}
+
 std::optional<Light> CreateNamed(std::string_view type, ParamDict &params,
                                  const Transform &renderFromLight) {
     if (type == PointLight::kName) return PointLight::Create(params, renderFromLight);
@@ -35,6 +43,13 @@ std::optional<Light> CreateLight(std::string_view type, ParamDict &params,
                                  const Transform &renderFromLight) {
     if (std::find(kNames.begin(), kNames.end(), type) == kNames.end()) {
         params.Error(UnknownName("light", type, kNames));
+        return std::nullopt;
+    }
+    if (!KeepsDirections(renderFromLight)) {
+        params.Error(
+            fmt::format("light \"{}\": its transformation scales by less than {:g} or more "
+                        "than {:g}",
+                        type, kShortestVector, kLongestVector));
         return std::nullopt;
     }
     std::optional<Light> light = CreateNamed(type, params, renderFromLight);
