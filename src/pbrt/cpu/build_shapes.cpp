@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "pbrt/cpu/instance_range.h"
 #include "pbrt/util/motion.h"
 
 namespace pbrt {
@@ -34,6 +35,7 @@ class ShapeBuilder {
             geometry.material = std::max(0, material);
             geometry.alpha = alpha;
             geometry.passesLight = world.LetsLightThrough(material);
+            if (instanced) objectBounds.Grow(Bounds(geometry.shape));
             if (entity.areaLight && !CanEmit(geometry.shape)) {
                 log.Error(entity.loc, "a curve cannot be an area light");
                 continue;
@@ -41,25 +43,29 @@ class ShapeBuilder {
             if (entity.areaLight && instanced)
                 log.Warning(entity.loc, "an area light in an object definition gives no light");
             else if (entity.areaLight)
-                emitters.push_back({uint32_t(world.geometries.size()), entity.areaLight});
+                built.emitters.push_back({uint32_t(world.geometries.size()), entity.areaLight});
             if (!JoinCurves(geometry)) world.geometries.push_back(std::move(geometry));
         }
     }
 
     /// From here on shapes belong to another object.
-    uint32_t StartObject() { return joinFrom = uint32_t(world.geometries.size()); }
+    uint32_t StartObject() {
+        objectBounds = {};
+        return joinFrom = uint32_t(world.geometries.size());
+    }
 
     /// Every use of an object, with the uses inside it, as one-deep instances. The parser has seen
     /// to it that the object exists and does not contain itself.
-    void AddInstance(const InstanceUse &use, const TransformPair &renderFromParent) {
+    void AddInstance(const InstanceUse &use, const TransformPair &renderFromParent,
+                     const FileLoc &loc) {
         const ObjectEntity &object = scene.objects.at(use.name);
         TransformPair t;
         for (int i = 0; i < 2; ++i)
             t[i] = renderFromParent[i] * use.worldFromInstance[i];
         for (const ObjectPart &part : parts.at(use.name))
-            Place(part.object, {t[0] * part.inObject[0], t[1] * part.inObject[1]});
+            Place(part, {t[0] * part.inObject[0], t[1] * part.inObject[1]}, loc);
         for (const InstanceUse &inner : object.instances)
-            AddInstance(inner, t);
+            AddInstance(inner, t, loc);
     }
 
     void AddObjects() {
@@ -67,9 +73,9 @@ class ShapeBuilder {
             std::vector<ObjectPart> &made = parts[name];
             const uint32_t first = StartObject();
             const std::vector<ShapeEntity> moving = AddResting(object.shapes, nullptr);
-            made.push_back({FinishObject(first), {}});
+            made.push_back(FinishObject(first, {}));
             for (const ShapeEntity &entity : moving)
-                made.push_back({AddMovingShape(entity), entity.worldFromObject});
+                made.push_back(AddMovingShape(entity));
         }
     }
 
@@ -93,11 +99,12 @@ class ShapeBuilder {
         for (const ShapeEntity &entity : shapes) {
             if (entity.areaLight) log.Error(entity.loc, "moving area lights are not supported");
             const TransformPair &t = entity.worldFromObject;
-            Place(AddMovingShape(entity), {renderFromWorld * t[0], renderFromWorld * t[1]});
+            Place(AddMovingShape(entity), {renderFromWorld * t[0], renderFromWorld * t[1]},
+                  entity.loc);
         }
     }
 
-    std::vector<EmissiveShape> emitters;
+    BuiltShapes built;
 
   private:
     static bool Moves(const ShapeEntity &entity) {
@@ -107,27 +114,31 @@ class ShapeBuilder {
     struct ObjectPart {
         uint32_t object;  ///< index into World::objects
         TransformPair inObject;
+        Bounds3f bounds;
     };
 
-    uint32_t FinishObject(uint32_t first) {
+    ObjectPart FinishObject(uint32_t first, const TransformPair &inObject) {
         world.objects.push_back({first, uint32_t(world.geometries.size())});
-        return uint32_t(world.objects.size()) - 1;
+        return {uint32_t(world.objects.size()) - 1, inObject, objectBounds};
     }
     /// A shape whose two transforms differ becomes an object of its own, made in its own space; an
     /// instance carries the motion.
-    uint32_t AddMovingShape(const ShapeEntity &entity) {
+    ObjectPart AddMovingShape(const ShapeEntity &entity) {
         const uint32_t first = StartObject();
         Add(entity, Transform(), true);
-        return FinishObject(first);
+        return FinishObject(first, entity.worldFromObject);
     }
-    void Place(uint32_t object, const TransformPair &renderFromObject) {
-        const ObjectRange &range = world.objects[object];
+    void Place(const ObjectPart &part, const TransformPair &renderFromObject, const FileLoc &loc) {
+        const ObjectRange &range = world.objects[part.object];
         if (range.first == range.last) return;
         const bool moving = !(renderFromObject[0] == renderFromObject[1]);
         world.moves |= moving;
-        Instance instance{object, renderFromObject, moving};
+        Instance instance{part.object, renderFromObject, moving};
         if (moving) instance.between = KeysBetween(renderFromObject[0], renderFromObject[1]);
+        if (const auto why = WhyNotPlaced(instance, part.bounds))
+            return log.Error(loc, fmt::format("this cannot be placed: {}", *why));
         world.instances.push_back(std::move(instance));
+        built.instances.push_back(loc);
     }
 
     /// The parser has reported names that are not defined.
@@ -159,14 +170,14 @@ class ShapeBuilder {
     World &world;
     Diagnostics &log;
     uint32_t joinFrom = 0;  ///< first geometry of the object being built
+    Bounds3f objectBounds;  ///< of that object
     std::map<std::string, std::vector<ObjectPart>> parts;  ///< by the object's name
 };
 
 }  // namespace
 
-std::vector<EmissiveShape> BuildShapes(Description &scene, const NamedTextures &textures,
-                                       const MaterialTable &materials, World &world,
-                                       Diagnostics &log) {
+BuiltShapes BuildShapes(Description &scene, const NamedTextures &textures,
+                        const MaterialTable &materials, World &world, Diagnostics &log) {
     world.geometries.reserve(scene.shapes.size());  // growing, they would be there twice
     ShapeBuilder builder(scene, textures, materials, world, log);
     const Transform &renderFromWorld = world.camera.RenderFromWorld();
@@ -174,8 +185,8 @@ std::vector<EmissiveShape> BuildShapes(Description &scene, const NamedTextures &
     builder.AddObjects();
     builder.AddMovingShapes(moving, renderFromWorld);
     for (const InstanceUse &use : scene.instances)
-        builder.AddInstance(use, {renderFromWorld, renderFromWorld});
-    return std::move(builder.emitters);
+        builder.AddInstance(use, {renderFromWorld, renderFromWorld}, use.loc);
+    return std::move(builder.built);
 }
 
 }  // namespace pbrt

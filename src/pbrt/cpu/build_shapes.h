@@ -22,10 +22,13 @@ struct EmissiveShape {
     uint32_t geometry;
     std::shared_ptr<const Entity> areaLight;
 };
+struct BuiltShapes {
+    std::vector<EmissiveShape> emitters;
+    std::vector<FileLoc> instances;  ///< places of World::instances, one each
+};
 /// Fills World::geometries (those of the top level first), objects and instances; nested instances
 /// are flattened, since Embree nests them one deep only. Takes the shapes out of the description.
-std::vector<EmissiveShape> BuildShapes(Description &scene, const NamedTextures &textures,
-                                       const MaterialTable &materials, World &world,
-                                       Diagnostics &log);
+BuiltShapes BuildShapes(Description &scene, const NamedTextures &textures,
+                        const MaterialTable &materials, World &world, Diagnostics &log);
 
 }  // namespace pbrt

@@ -13,6 +13,7 @@ namespace pbrt {
 class HairMaterial {
   public:
     static constexpr std::string_view kName = "hair";
+    static constexpr bool kFibre = true;
     static HairMaterial Create(ParamDict &params, const NamedTextures &named);
 
     HairBxDF GetBxDF(const TextureEvalContext &ctx, const SampledWavelengths &lambda) const {

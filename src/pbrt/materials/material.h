@@ -45,6 +45,13 @@ inline constexpr bool TurnsFrame = requires(const M &m, const TextureEvalContext
     m.TurnFrame(Frame(), ctx);
 };
 
+/// Materials that stand for a fibre, met at an offset along the frame's y, declare kFibre: their
+/// frame faces the viewer.
+template <typename M>
+inline constexpr bool IsFibre = requires {
+    M::kFibre;
+};
+
 /// Whether the material is the same at every point, so that it needs no uv, nor tangents, where it
 /// does not turn its frame. Types that can be so have a member of that name.
 inline bool IsPlain(const Material &material) {
