@@ -74,6 +74,40 @@ TEST_F(Converting, AlphaKeepsItsValues) {
         {2, 4, 6, 0.5f});
 }
 
+TEST_F(Converting, PngToPngIsIdentityWhateverTheChannels) {
+    for (const auto &channels : {kRGB, {"Y"}, {"Y", "A"}, {"R", "G", "B", "A"}}) {
+        Image image({16, 16}, channels);
+        for (size_t i = 0; i < image.Data().size(); ++i)
+            image.Data()[i] = float(i * 7 % 256) / 255;
+        const std::string first = Path("first.png");
+        ASSERT_EQ(WriteImage(image, first), std::nullopt);
+        for (const std::string between : {"second.png", "second.exr", "second.pfm"}) {
+            const std::string second = Path(between);
+            Succeed({"convert", first, "--outfile", second});
+            const Image a = Load(first), b = Load(second);
+            if (between == "second.exr") {  // half: 11 bits
+                for (size_t i = 0; i < a.Data().size(); ++i)
+                    EXPECT_NEAR(a.Data()[i], b.Data()[i], 0x1p-11f * a.Data()[i] + 0x1p-25f);
+                continue;
+            }
+            std::vector<std::string> kept = channels;
+            if (between == "second.pfm" && kept.back() == "A") kept.pop_back();
+            ASSERT_EQ(b.ChannelNames(), kept);
+            for (int p = 0; p < 256; ++p)
+                for (int c = 0; c < b.NChannels(); ++c)
+                    EXPECT_EQ(b.Get({p % 16, p / 16}, c), a.Get({p % 16, p / 16}, c));
+        }
+    }
+}
+
+TEST_F(Converting, ThreeChannelsAreThree) {
+    const Image normals = Picture({1, 1}, {"N.X", "N.Y", "N.Z", "u"}, {0.25f, 0.5f, 1, 7});
+    const Image png = Converted(normals, {"--channels", "N.X,N.Y,N.Z"}, "out.png");
+    EXPECT_EQ(png.ChannelNames(), kRGB);
+    for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(png.Get({0, 0}, c), normals.Get({0, 0}, c), 0.005f);  // a code is up to 0.0089
+}
+
 TEST_F(Converting, ChannelsCropFlipRepeat) {
     Image image({4, 3}, kRGB);
     for (int y = 0; y < 3; ++y)
