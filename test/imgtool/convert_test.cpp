@@ -85,17 +85,15 @@ TEST_F(Converting, PngToPngIsIdentityWhateverTheChannels) {
             const std::string second = Path(between);
             Succeed({"convert", first, "--outfile", second});
             const Image a = Load(first), b = Load(second);
-            if (between == "second.exr") {  // half: 11 bits
-                for (size_t i = 0; i < a.Data().size(); ++i)
-                    EXPECT_NEAR(a.Data()[i], b.Data()[i], 0x1p-11f * a.Data()[i] + 0x1p-25f);
-                continue;
-            }
-            std::vector<std::string> kept = channels;
-            if (between == "second.pfm" && kept.back() == "A") kept.pop_back();
-            ASSERT_EQ(b.ChannelNames(), kept);
-            for (int p = 0; p < 256; ++p)
-                for (int c = 0; c < b.NChannels(); ++c)
-                    EXPECT_EQ(b.Get({p % 16, p / 16}, c), a.Get({p % 16, p / 16}, c));
+            const bool hasNoAlpha = between == "second.pfm" && channels.back() == "A";
+            ASSERT_EQ(b.NChannels(), a.NChannels() - int(hasNoAlpha));
+            const float rounding = between == "second.exr" ? 0x1p-11f : 0;  // half
+            for (int c = 0; c < b.NChannels(); ++c)
+                for (int i = 0; i < 256; ++i) {
+                    const Point2i p{i % 16, i / 16};
+                    const float before = a.Get(p, a.ChannelIndex(b.ChannelNames()[size_t(c)]));
+                    EXPECT_NEAR(b.Get(p, c), before, rounding * before);
+                }
         }
     }
 }

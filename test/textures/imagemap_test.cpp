@@ -191,7 +191,7 @@ TEST_F(ImageTextures, WarnOnceOfPartsThatAreNotRead) {
     )",
                          folder.string());
     EXPECT_EQ(s.Messages(),
-              "t.pbrt:3:38: " + Path("a.exr") +
+              "t.pbrt:3:40: " + Path("a.exr") +
                   ": has 2 parts, of which only the first, \"left\", is read (others: "
                   "\"right\")\n");
     EXPECT_EQ(s.named.floats.at("a").Evaluate(AtUV(0.5f, 0.5f)), 1);

@@ -36,11 +36,13 @@ Picked PickChannels(const Image &image) {
     const int r = image.ChannelIndex("R"), g = image.ChannelIndex("G"), b = image.ChannelIndex("B");
     if (r >= 0 && g >= 0 && b >= 0) return {{r, g, b}, image.ChannelIndex("A")};
     if (image.NChannels() == 1) return {{0}};
+    const int y = image.ChannelIndex("Y");
+    const bool isXYZ = image.ChannelIndex("X") >= 0;
+    if (y >= 0 && !isXYZ) return {{y}, image.ChannelIndex("A")};
     Picked picked{{}, AlphaOf(image)};
     for (int c = 0; c < image.NChannels(); ++c)
         if (c != picked.alpha) picked.values.push_back(c);
     if (picked.values.size() == 1 || picked.values.size() == 3) return picked;
-    if (const int y = image.ChannelIndex("Y"); y >= 0) return {{y}, image.ChannelIndex("A")};
     return {};
 }
 
