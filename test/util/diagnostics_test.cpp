@@ -29,6 +29,18 @@ TEST(Diagnostics, ImmediateRepetitionsAreOneMessage) {
     EXPECT_EQ(log.Messages().size(), 3u);
 }
 
+TEST(Diagnostics, WarnsOnceOfTheSameWhereverItIsMet) {
+    Diagnostics log;
+    log.WarningOnce({"a.pbrt", 3, 7}, "one");
+    log.WarningOnce({"a.pbrt", 4, 7}, "two");
+    log.WarningOnce({"a.pbrt", 5, 7}, "one");
+    ASSERT_EQ(log.Messages().size(), 2u);
+    EXPECT_EQ(log.Messages()[0].text, "a.pbrt:3:7: one");
+    log.Warning({"a.pbrt", 6, 7}, "one");
+    EXPECT_EQ(log.Messages().size(), 3u);
+    EXPECT_EQ(log.ErrorCount(), 0);
+}
+
 TEST(NearestName, CountsEditsAndSwapsOfNeighbours) {
     constexpr std::array<std::string_view, 4> kNames{"float", "roughness", "Film", "seed"};
     EXPECT_EQ(NearestName("flot", kNames), "float");

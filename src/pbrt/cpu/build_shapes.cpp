@@ -10,6 +10,19 @@ namespace {
 
 constexpr NumberRow kAlpha{"alpha", "", 1, 0, 1, "coverage: below 1 is a random cut-out"};
 
+/// A mesh of several faces whose uv are not given: each face has those of its own corners.
+bool LacksUV(const Shape &shape) {
+    const auto lacks = [](const auto &mesh) { return mesh.uv.empty() && mesh.NPrimitives() > 1; };
+    if (const auto *triangles = std::get_if<TriangleMesh>(&shape)) return lacks(*triangles);
+    const auto *patches = std::get_if<BilinearMesh>(&shape);
+    return patches && lacks(*patches);
+}
+
+bool HasTangents(const Shape &shape) {
+    const auto *triangles = std::get_if<TriangleMesh>(&shape);
+    return triangles && !triangles->s.empty();
+}
+
 /// Builds geometries; keeps what the many shapes of a scene have in common.
 class ShapeBuilder {
   public:
@@ -29,6 +42,8 @@ class ShapeBuilder {
                 log.Warning(entity.loc, "an area light on an interface gives no light");
             return;
         }
+        for (const Shape &shape : shapes)
+            if (LacksUV(shape)) WarnOfMissingUV(entity, material, HasTangents(shape));
         for (Shape &shape : shapes) {
             Geometry geometry;
             geometry.shape = std::move(shape);
@@ -139,6 +154,20 @@ class ShapeBuilder {
             return log.Error(loc, fmt::format("this cannot be placed: {}", *why));
         world.instances.push_back(std::move(instance));
         built.instances.push_back(loc);
+    }
+
+    void WarnOfMissingUV(const ShapeEntity &entity, MaterialId material, bool hasTangents) {
+        std::string_view laid;
+        if (materials.texturedByUV.contains(material) || textures.AnyReadsUV(entity.params))
+            laid = "textures";
+        if (const auto found = materials.laidByUV.find(material);
+            found != materials.laidByUV.end() && !hasTangents)
+            laid = found->second;
+        if (laid.empty()) return;
+        log.Warning(entity.loc,
+                    fmt::format("shape \"{}\" has no uv: {} are laid by each face's own "
+                                "corners",
+                                entity.type, laid));
     }
 
     /// The parser has reported names that are not defined.

@@ -65,6 +65,21 @@ inline bool IsPlain(const Material &material) {
         material);
 }
 
+/// What runs along dp/du or dp/dv, in the plural, as "barbules"; empty where nothing does. Types
+/// where something does so have a member of that name. Textures are not meant.
+inline std::string_view LaidByUV(const Material &material) {
+    return std::visit(
+        [](const auto &m) -> std::string_view {
+            if constexpr (requires { m.LaidByUV(); })
+                return m.LaidByUV();
+            else if constexpr (requires { m.roughness.LaidByUV(); })
+                return m.roughness.LaidByUV();
+            else
+                return {};
+        },
+        material);
+}
+
 /// What a material noticed while rendering, as a sentence; else empty.
 inline std::string Remarks(const Material &material) {
     return std::visit(

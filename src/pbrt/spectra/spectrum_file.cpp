@@ -1,8 +1,13 @@
 #include "pbrt/spectra/spectrum_file.h"
 
+#include <fmt/format.h>
+
 #include <charconv>
+#include <cmath>
 #include <fstream>
 #include <sstream>
+
+#include "pbrt/spectra/sampled_spectrum.h"
 
 namespace pbrt {
 namespace {
@@ -38,7 +43,28 @@ struct Reader {
     }
 };
 
+/// Why these say nothing about visible light; empty where they do.
+std::string Invisible(const std::vector<float> &lambda) {
+    if (lambda.front() <= LambdaMax && lambda.back() >= LambdaMin) return {};
+    constexpr float kMostMicrometres = 100;
+    return fmt::format("covers {} to {} nm, nothing of {} to {}{}", lambda.front(), lambda.back(),
+                       LambdaMin, LambdaMax,
+                       lambda.back() < kMostMicrometres ? "; are these micrometres?" : "");
+}
+
 }  // namespace
+
+SpectrumPoints HoldingEnds(SpectrumPoints points) {
+    if (points.lambda.front() > LambdaMin) {
+        points.lambda.insert(points.lambda.begin(), LambdaMin);
+        points.values.insert(points.values.begin(), points.values.front());
+    }
+    if (points.lambda.back() < LambdaMax) {
+        points.lambda.push_back(LambdaMax);
+        points.values.push_back(points.values.back());
+    }
+    return points;
+}
 
 OrError<SpectrumPoints> ReadSpectrumFile(const std::string &fileName) {
     std::ifstream file(fileName);
@@ -55,6 +81,8 @@ OrError<SpectrumPoints> ReadSpectrumFile(const std::string &fileName) {
     if (reader.points.lambda.empty()) return {std::nullopt, fileName + ": holds no spectrum"};
     if (reader.points.lambda.size() != reader.points.values.size())
         return {std::nullopt, fileName + ": ends with a wavelength that has no value"};
+    if (const std::string reason = Invisible(reader.points.lambda); !reason.empty())
+        return {std::nullopt, fileName + ": " + reason};
     return {std::move(reader.points), {}};
 }
 

@@ -52,9 +52,9 @@ struct SpectrumImage : SpectrumNode {
     SpectrumType role;
 };
 
-/// The picture, from those already read where file, decoding and pyramid agree; nullptr after an
-/// error.
-std::shared_ptr<const MIPMap> GetImage(TextureBuilder &builder, bool pyramid) {
+/// The picture, or what floats are read from; from those already read where file and decoding
+/// agree; nullptr after an error.
+std::shared_ptr<const MIPMap> GetImage(TextureBuilder &builder, bool wantsFloat) {
     ParamDict &params = builder.params;
     const std::string file = params.GetFileName("filename");
     const std::optional<ColorEncoding> encoding = GetEncoding(params);
@@ -63,31 +63,37 @@ std::shared_ptr<const MIPMap> GetImage(TextureBuilder &builder, bool pyramid) {
                                              params.What()));
         return nullptr;
     }
-    const std::string key =
-        fmt::format("{}|{}|{}", file,
-                    encoding ? fmt::format("{} {}", int(encoding->kind), encoding->gamma) : "",
-                    pyramid ? "pyramid" : "");
-    if (const auto known = builder.named.images.find(key); known != builder.named.images.end())
-        return known->second;
+    auto &images = builder.named.images;
+    const std::string key = fmt::format(
+        "{}|{}", file, encoding ? fmt::format("{} {}", int(encoding->kind), encoding->gamma) : "");
+    const std::string alphaKey = key + "|A";
+    const auto color = images.find(key);
+    if (color != images.end() && !(wantsFloat && color->second && color->second->LeavesOutAlpha()))
+        return color->second;
+    if (const auto alpha = images.find(alphaKey); wantsFloat && alpha != images.end())
+        return alpha->second;
 
     const OrError<Image> read = ReadImage(file, encoding);
-    std::shared_ptr<const MIPMap> map;
     if (!read) {
         params.Error("filename", read.error);
-    } else {
-        map = MIPMap::Create(
-            *read.value, encoding.value_or(ColorEncoding{ColorEncoding::Kind::sRGB, 1}), pyramid);
-        if (!map)
-            params.Error(
-                "filename",
-                fmt::format("\"{}\" has no channels R, G, B nor Y to make a texture of; it "
-                            "has {}",
-                            file, fmt::join(read.value->ChannelNames(), ", ")));
+        return images[key] = nullptr;
     }
-    return builder.named.images[key] = map;
+    const Image &image = *read.value;
+    if (!image.metadata.unread.empty())
+        params.WarningOnce("filename", fmt::format("{}: {}", file, image.metadata.unread));
+    if (wantsFloat && MIPMap::HasAlpha(image))
+        return images[alphaKey] = MIPMap::CreateOfAlpha(image);
+    const std::shared_ptr<const MIPMap> map =
+        MIPMap::Create(image, encoding.value_or(ColorEncoding{ColorEncoding::Kind::sRGB, 1}));
+    if (!map)
+        params.Error("filename",
+                     fmt::format("\"{}\" has no channels R, G, B nor Y to make a texture of; it "
+                                 "has {}",
+                                 file, fmt::join(image.ChannelNames(), ", ")));
+    return images[key] = map;
 }
 
-std::optional<ImageLookup> CreateLookup(TextureBuilder &builder) {
+std::optional<ImageLookup> CreateLookup(TextureBuilder &builder, bool wantsFloat) {
     static constexpr std::array<std::string_view, 5> kFilters{"point", "bilinear", "trilinear",
                                                               "ewa", "EWA"};
     static constexpr std::array<std::string_view, 3> kWraps{"repeat", "black", "clamp"};
@@ -96,28 +102,29 @@ std::optional<ImageLookup> CreateLookup(TextureBuilder &builder) {
     ParamDict &params = builder.params;
     ImageLookup lookup;
     lookup.mapping = TextureMapping2D::Create(params, builder.textureFromRender);
+    builder.readsUV |= lookup.mapping.ReadsUV();
     const int filter = params.GetOneChoice("filter", kFilters[1], kFilters);
     lookup.sampling.filter = TextureFilter(std::min(filter, int(TextureFilter::EWA)));
-    builder.named.readFootprints |= lookup.sampling.NeedsPyramid();
     lookup.sampling.wrap = WrapMode(params.GetOneChoice("wrap", kWraps[0], kWraps));
     lookup.sampling.maxAnisotropy = params.GetOneFloat(kAnisotropy);
     lookup.scale = params.GetOneFloat("scale", 1);
     lookup.invert = params.GetOneBool("invert", false);
-    lookup.image = GetImage(builder, lookup.sampling.NeedsPyramid());
+    lookup.image = GetImage(builder, wantsFloat);
     if (!lookup.image) return std::nullopt;
+    builder.named.readFootprints |= lookup.image->NLevels() > 1;
     return lookup;
 }
 
 }  // namespace
 
 FloatTexture ImageTexture::CreateFloat(TextureBuilder &builder) {
-    const std::optional<ImageLookup> lookup = CreateLookup(builder);
+    const std::optional<ImageLookup> lookup = CreateLookup(builder, true);
     if (!lookup) return 1.f;
     return FloatTexture(std::make_shared<FloatImage>(*lookup));
 }
 
 SpectrumByRole ImageTexture::CreateSpectrum(TextureBuilder &builder) {
-    const std::optional<ImageLookup> lookup = CreateLookup(builder);
+    const std::optional<ImageLookup> lookup = CreateLookup(builder, false);
     SpectrumByRole made;
     for (SpectrumType role : kSpectrumRoles) {
         if (lookup)

@@ -16,6 +16,10 @@ void Diagnostics::Warning(const FileLoc &loc, std::string_view message) {
     Add(Severity::Warning, loc, message);
 }
 
+void Diagnostics::WarningOnce(const FileLoc &loc, std::string_view message) {
+    if (warnedOnce.emplace(message).second) Warning(loc, message);
+}
+
 void Diagnostics::Add(Severity severity, const FileLoc &loc, std::string_view message) {
     if (severity == Severity::Error) ++errors;
     std::string text = loc.line > 0
