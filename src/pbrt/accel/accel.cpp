@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <string_view>
 
 #include "pbrt/accel/impl.h"
@@ -16,11 +17,7 @@ namespace pbrt {
 namespace {
 
 void NoteError(void *user, RTCError code, const char *text) {
-    auto &error = *static_cast<std::string *>(user);
-    if (!error.empty()) return;
-    error = code == RTC_ERROR_OUT_OF_MEMORY
-                ? "not enough memory for the ray tracing structure"
-                : fmt::format("Embree: {} (error {})", text ? text : "", int(code));
+    static_cast<EmbreeFailure *>(user)->Note(code, text);
 }
 
 bool NoteMemory(void *user, ssize_t bytes, bool) {
@@ -128,6 +125,17 @@ RTCGeometry NewQuads(RTCDevice device, const BilinearMesh &mesh) {
 
 }  // namespace
 
+void EmbreeFailure::Note(RTCError error, const char *why) {
+    if (code != RTC_ERROR_NONE) return;
+    code = error;
+    if (why) std::strncpy(text.data(), why, text.size() - 1);
+}
+
+std::string EmbreeFailure::Sentence() const {
+    if (code == RTC_ERROR_OUT_OF_MEMORY) return "not enough memory for the ray tracing structure";
+    return fmt::format("Embree: {} (error {})", text.data(), int(code));
+}
+
 Accel::Impl::~Impl() {
     if (scene) rtcReleaseScene(scene);
     for (RTCScene s : objectScenes)
@@ -143,8 +151,13 @@ void Accel::Impl::Build(int nThreads) {
         error = fmt::format("Embree does not start (error {})", int(rtcGetDeviceError(nullptr)));
         return;
     }
-    rtcSetDeviceErrorFunction(device, NoteError, &error);
+    rtcSetDeviceErrorFunction(device, NoteError, &failure);
     rtcSetDeviceMemoryMonitorFunction(device, NoteMemory, &memory);
+    BuildScenes();
+    if (Failed()) error = failure.Sentence();
+}
+
+void Accel::Impl::BuildScenes() {
     records.reserve(geometries.size());
     for (const Geometry &g : geometries) {
         const bool hasAlpha = !g.alpha.IsConstant() || g.alpha.Constant() < 1;
@@ -152,14 +165,16 @@ void Accel::Impl::Build(int nThreads) {
     }
     for (const ObjectRange &object : objects) {
         objectScenes.push_back(NewScene(object.first, object.last, object.last - object.first));
+        if (Failed()) return;
         rtcCommitScene(objectScenes.back());
     }
     Count(0, nTop);
     for (const Instance &instance : instances)
         Count(objects[instance.object].first, objects[instance.object].last);
     scene = NewScene(0, nTop, nTop + uint32_t(instances.size()));
-    for (uint32_t i = 0; i < instances.size(); ++i)
+    for (uint32_t i = 0; i < instances.size() && !Failed(); ++i)
         AttachInstance(i);
+    if (Failed()) return;
     ReturnFreeMemory();  // Embree's building takes the most
     rtcCommitScene(scene);
 }
@@ -170,6 +185,8 @@ void Accel::Impl::Count(uint32_t first, uint32_t last) {
 }
 
 void Accel::Impl::Attach(RTCScene target, RTCGeometry geometry, uint32_t id) {
+    // Calls on a null handle are noted nowhere; what failed before them has been.
+    if (!geometry) return failure.Note(RTC_ERROR_UNKNOWN, "a geometry could not be made");
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(target, geometry, id);
     rtcReleaseGeometry(geometry);
@@ -200,12 +217,13 @@ RTCGeometry Accel::Impl::NewGeometry(const GeometryRecord &record) {
 /// lets 1e-6 of all rays out, and 1e-4 where it is 1000 times its size from the origin.
 RTCScene Accel::Impl::NewScene(uint32_t first, uint32_t last, uint32_t quadricsId) {
     RTCScene s = rtcNewScene(device);
+    if (!s) return failure.Note(RTC_ERROR_UNKNOWN, "a scene could not be made"), nullptr;
     rtcSetSceneBuildQuality(s, RTC_BUILD_QUALITY_MEDIUM);
     rtcSetSceneFlags(s, RTC_SCENE_FLAG_ROBUST);
     QuadricSet set;
     set.reserve(size_t(std::count_if(geometries.begin() + first, geometries.begin() + last,
                                      [](const Geometry &g) { return QuadricTransform(g.shape); })));
-    for (uint32_t i = first; i < last; ++i) {
+    for (uint32_t i = first; i < last && !Failed(); ++i) {
         GeometryRecord &record = records[i];
         record.local = i - first;
         if (IsInvisible(*record.geometry)) continue;

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "pbrt/cli/main.h"
 #include "pbrt/util/args.h"
 #include "pbrt/util/diagnostics.h"
 
@@ -47,6 +48,7 @@ Outcome Failure(std::string_view tool, std::string_view reason) {
 }
 
 std::optional<Outcome> Parse(CLI::App *app, Args args) {
+    app->footer(std::string(kMemoryLimitHelp));
     NormalizedArgs normalized = NormalizeArgs(args, ArgOptionsOf(*app));
     const auto mistake = [&](std::string_view text) {
         return Outcome{1,

@@ -4,23 +4,23 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <atomic>
-#include <csignal>
-#include <filesystem>
+#include <algorithm>
+#include <chrono>
 
+#include "pbrt/cli/interrupts.h"
+#include "pbrt/cli/main.h"
+#include "pbrt/cli/threads.h"
 #include "pbrt/cpu/build.h"
 #include "pbrt/cpu/progress.h"
 #include "pbrt/cpu/statistics.h"
 #include "pbrt/util/args.h"
 #include "pbrt/util/atomic_file.h"
+#include "pbrt/util/say.h"
 
 namespace pbrt {
 namespace {
 
-constexpr int kSuccess = 0, kUserError = 1, kInterrupted = 130;
-
-// A signal handler can reach nothing else.
-volatile std::sig_atomic_t interrupted = 0;
+constexpr int kSuccess = 0, kUserError = 1;
 
 struct Arguments {
     std::vector<std::string> files;
@@ -58,6 +58,7 @@ void DefineOptions(CLI::App &app, Arguments &a, std::vector<float> &crop, std::v
     app.add_option("--stats-file", a.statsFile, "write the same as JSON to this file");
     app.add_flag("--quiet", a.quiet, "no progress, no warnings");
     app.set_version_flag("--version", "pbrt-feather " PBRT_VERSION);
+    app.footer(std::string(cli::kMemoryLimitHelp));
 }
 
 struct ParsedArguments {
@@ -65,7 +66,7 @@ struct ParsedArguments {
     std::optional<int> exitCode;
 };
 
-ParsedArguments ParseArguments(int argc, char **argv) {
+ParsedArguments ParseArguments(cli::Args words) {
     ParsedArguments result;
     Arguments &a = result.arguments;
     CLI::App app{"pbrt-feather: a spectral path tracer for iridescent feathers"};
@@ -73,10 +74,9 @@ ParsedArguments ParseArguments(int argc, char **argv) {
     std::vector<int> bounds, pixel;
     int spp = 0;
     DefineOptions(app, a, crop, bounds, pixel, spp);
-    NormalizedArgs normal =
-        NormalizeArgs(std::vector<std::string>(argv + 1, argv + argc), ArgOptionsOf(app));
+    NormalizedArgs normal = NormalizeArgs(words, ArgOptionsOf(app));
     if (!normal.error.empty()) {
-        fmt::print(stderr, "pbrt: {}\nRun pbrt --help for the list of options.\n", normal.error);
+        Say(fmt::format("pbrt: {}\nRun pbrt --help for the list of options.\n", normal.error));
         result.exitCode = kUserError;
         return result;
     }
@@ -88,7 +88,7 @@ ParsedArguments ParseArguments(int argc, char **argv) {
         result.exitCode = kSuccess;
         return result;
     } catch (const CLI::ParseError &e) {
-        fmt::print(stderr, "pbrt: {}\nRun pbrt --help for the list of options.\n", e.what());
+        Say(fmt::format("pbrt: {}\nRun pbrt --help for the list of options.\n", e.what()));
         result.exitCode = kUserError;
         return result;
     }
@@ -106,8 +106,8 @@ void Print(const Diagnostics &log, bool quiet) {
     for (const Message &m : log.Messages()) {
         const bool error = m.severity == Severity::Error;
         if (quiet && !error) continue;
-        fmt::print(stderr, "{}{}{}: {}\n", color ? (error ? "\033[1;31m" : "\033[1;33m") : "",
-                   error ? "Error" : "Warning", color ? "\033[0m" : "", m.text);
+        Say(fmt::format("{}{}{}: {}\n", color ? (error ? "\033[1;31m" : "\033[1;33m") : "",
+                        error ? "Error" : "Warning", color ? "\033[0m" : "", m.text));
     }
 }
 
@@ -132,7 +132,7 @@ Image Finished(const World &world, const RenderStats &stats) {
 
 void PrintRemarks(const World &world) {
     const auto print = [](const std::string &remarks) {
-        if (!remarks.empty()) fmt::print(stderr, "Warning: {}\n", remarks);
+        if (!remarks.empty()) Say(fmt::format("Warning: {}\n", remarks));
     };
     for (const Material &m : world.materials)
         print(Remarks(m));
@@ -140,52 +140,53 @@ void PrintRemarks(const World &world) {
         print(m.Remarks());
 }
 
+int Complain(const std::string &why) {
+    Say(fmt::format("Error: {}\n", why));
+    return kUserError;
+}
+
 /// Statistics to where they are wanted; the exit code.
 int Report(const Statistics &s, const Arguments &a) {
     if (a.stats) fmt::print("{}", StatisticsText(s));
     if (a.statsFile.empty()) return kSuccess;
-    if (const auto why = WriteFileAtomically(a.statsFile, StatisticsJson(s))) {
-        fmt::print(stderr, "Error: {}\n", *why);
-        return kUserError;
-    }
+    if (const auto why = WriteFileAtomically(a.statsFile, StatisticsJson(s))) return Complain(*why);
     return kSuccess;
 }
 
+int Stopped(const cli::Interrupts::Caught &by) {
+    Say(fmt::format("Interrupted by {}: nothing was written.\n", by.name));
+    return by.exitCode;
+}
+
 int RenderAndWrite(World &world, const Arguments &a, const Times &times) {
-    for (const std::string &file : {world.film.FileName(), a.statsFile}) {
-        const auto why = file.empty() ? std::nullopt : WhyNotWritable(file);
-        if (!why) continue;
-        fmt::print(stderr, "Error: {}\n", *why);
-        return kUserError;
-    }
-    std::signal(SIGINT, [](int) { interrupted = 1; });
-    std::signal(SIGTERM, [](int) { interrupted = 1; });
+    for (const std::string &file : {world.film.FileName(), a.statsFile})
+        if (const auto why = file.empty() ? std::nullopt : WhyNotWritable(file))
+            return Complain(*why);
+    const cli::Interrupts interrupts;
     Progress progress("Rendering", a.quiet);
     const auto stats = Render(world, a.overrides.nThreads, [&](int64_t done, int64_t total) {
         progress.Update(done, total);
-        return interrupted == 0;
+        return !interrupts.First();
     });
     progress.Finish(stats ? "done" : "stopped");
-    if (!stats) {
-        fmt::print(stderr, "Interrupted: nothing was written.\n");
-        return kInterrupted;
-    }
+    if (!stats) return Stopped(*interrupts.First());
     if (!a.quiet) PrintRemarks(world);
     if (const auto why =
-            WriteImage(Finished(world, *stats), world.film.FileName(), world.film.Format())) {
-        fmt::print(stderr, "Error: {}\n", *why);
-        return kUserError;
-    }
+            WriteImage(Finished(world, *stats), world.film.FileName(), world.film.Format()))
+        return interrupts.First() ? Stopped(*interrupts.First()) : Complain(*why);
     return Report(CollectStatistics(world, *stats, times.parse, times.build), a);
 }
 
-int Main(int argc, char **argv) {
-    const ParsedArguments parsed = ParseArguments(argc, argv);
+int Main(cli::Args words) {
+    ParsedArguments parsed = ParseArguments(words);
     if (parsed.exitCode) return *parsed.exitCode;
-    const Arguments &a = parsed.arguments;
+    Arguments &a = parsed.arguments;
+    const cli::Threads threads = cli::LimitThreads(a.overrides.nThreads);
+    a.overrides.nThreads = threads.count;
 
     Times times;
     Diagnostics log;
+    if (threads.remark) log.Warning({}, *threads.remark);
     Description scene;
     scene.options = a.options;
     auto start = std::chrono::steady_clock::now();
@@ -196,8 +197,8 @@ int Main(int argc, char **argv) {
     times.build = Seconds(start);
     Print(log, a.quiet);
     if (!world || log.HasErrors()) {
-        fmt::print(stderr, "{} error{}; no picture was written.\n", log.ErrorCount(),
-                   log.ErrorCount() == 1 ? "" : "s");
+        Say(fmt::format("{} error{}; no picture was written.\n", log.ErrorCount(),
+                        log.ErrorCount() == 1 ? "" : "s"));
         return kUserError;
     }
     return RenderAndWrite(*world, a, times);
@@ -207,5 +208,5 @@ int Main(int argc, char **argv) {
 }  // namespace pbrt
 
 int main(int argc, char **argv) {
-    return pbrt::Main(argc, argv);
+    return pbrt::cli::Main("pbrt", argc, argv, pbrt::Main);
 }

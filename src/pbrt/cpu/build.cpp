@@ -137,6 +137,10 @@ std::unique_ptr<World> BuildWorld(Description &scene, const Overrides &overrides
     const uint32_t nTop = world->TopLevelGeometries();
     world->accel.emplace(world->geometries, nTop, world->objects, world->instances,
                          overrides.nThreads);
+    if (!world->accel->Error().empty()) {
+        log.Error({}, world->accel->Error());
+        return nullptr;
+    }
     BuildLights(scene, integrator.lightSampler, shapes.emitters, *world, log);
     CheckRaysInInstances(*world, shapes.instances, log);
     if (log.HasErrors()) return nullptr;

@@ -3,11 +3,16 @@
 #include <fmt/format.h>
 
 #include "pbrt/cpu/instance_range.h"
+#include "pbrt/util/memory.h"
 #include "pbrt/util/motion.h"
 
 namespace pbrt {
 namespace {
 
+/// What Embree and World::instances take for one that rests: measured on 2^20 of them.
+constexpr double kBytesPerInstance = 750;
+/// Geometries and instances share Embree's 32 bits.
+constexpr double kMostIds = 4e9;
 constexpr NumberRow kAlpha{"alpha", "", 1, 0, 1, "coverage: below 1 is a random cut-out"};
 
 /// A mesh of several faces whose uv are not given: each face has those of its own corners.
@@ -83,6 +88,35 @@ class ShapeBuilder {
             AddInstance(inner, t, loc);
     }
 
+    /// The uses of the top level, refused where they make more instances than fit.
+    void AddInstances(const std::vector<InstanceUse> &uses, const Transform &renderFromWorld) {
+        double total = 0, most = 0;
+        const InstanceUse *worst = nullptr;
+        for (const InstanceUse &use : uses) {
+            const double n = InstancesOf(use.name);
+            total += n;
+            if (n <= most) continue;
+            most = n;
+            worst = &use;
+        }
+        if (!worst) return;
+        const double bytes = total * kBytesPerInstance;
+        std::optional<std::string> why;
+        if (total + double(world.geometries.size()) >= kMostIds)
+            why = "are more than fit";
+        else
+            why = WhyTooLarge(uint64_t(bytes));
+        if (why) {
+            log.Error(worst->loc, fmt::format("the scene makes {:.6g} instances, {:.6g} of them "
+                                              "here, nested ones counted: these {}",
+                                              total, most, *why));
+            return;
+        }
+        world.instances.reserve(size_t(total));
+        for (const InstanceUse &use : uses)
+            AddInstance(use, {renderFromWorld, renderFromWorld}, use.loc);
+    }
+
     void AddObjects() {
         for (auto &[name, object] : scene.objects) {
             std::vector<ObjectPart> &made = parts[name];
@@ -143,6 +177,19 @@ class ShapeBuilder {
         Add(entity, Transform(), true);
         return FinishObject(first, entity.worldFromObject);
     }
+    /// Instances that one use makes with those inside it, at most.
+    double InstancesOf(const std::string &name) {
+        const auto known = instancesOf.find(name);
+        if (known != instancesOf.end()) return known->second;
+        double n = 0;
+        for (const ObjectPart &part : parts.at(name)) {
+            const ObjectRange &range = world.objects[part.object];
+            n += range.first < range.last;
+        }
+        for (const InstanceUse &inner : scene.objects.at(name).instances)
+            n += InstancesOf(inner.name);
+        return instancesOf[name] = n;
+    }
     void Place(const ObjectPart &part, const TransformPair &renderFromObject, const FileLoc &loc) {
         const ObjectRange &range = world.objects[part.object];
         if (range.first == range.last) return;
@@ -201,6 +248,7 @@ class ShapeBuilder {
     uint32_t joinFrom = 0;  ///< first geometry of the object being built
     Bounds3f objectBounds;  ///< of that object
     std::map<std::string, std::vector<ObjectPart>> parts;  ///< by the object's name
+    std::map<std::string, double> instancesOf;             ///< see InstancesOf
 };
 
 }  // namespace
@@ -213,8 +261,7 @@ BuiltShapes BuildShapes(Description &scene, const NamedTextures &textures,
     const std::vector<ShapeEntity> moving = builder.AddResting(scene.shapes, &renderFromWorld);
     builder.AddObjects();
     builder.AddMovingShapes(moving, renderFromWorld);
-    for (const InstanceUse &use : scene.instances)
-        builder.AddInstance(use, {renderFromWorld, renderFromWorld}, use.loc);
+    builder.AddInstances(scene.instances, renderFromWorld);
     return std::move(builder.built);
 }
 

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "pbrt/util/memory.h"
+
 namespace pbrt {
 namespace {
 
@@ -112,10 +114,23 @@ Film Film::Create(const Description &scene, const FilmOverrides &overrides, Diag
     film.matching = Matching(*film.colorSpace, white);
     const Spectrum &illuminant = film.colorSpace->Illuminant();
     film.illuminant = illuminant.Scaled(1 / SpectrumToPhotometric(illuminant));
-    film.pixels.resize(film.bounds.Area());
-    film.furtherValues.resize(film.pixels.size() * film.furtherChannels.size());
     params.ReportUnused();
+    const PixelBounds &b = film.bounds;
+    if (const auto why = WhyTooLarge(film.BytesFor(b))) {
+        params.Error(fmt::format("a film of {} x {} pixels with {} channels {}", b.Width(),
+                                 b.Height(), 3 + film.furtherChannels.size(), *why));
+        film.bounds = {0, 1, 0, 1};
+    }
+    film.pixels.resize(size_t(film.bounds.Area()));
+    film.furtherValues.resize(film.pixels.size() * film.furtherChannels.size());
     return film;
+}
+
+uint64_t Film::BytesFor(const PixelBounds &b) const {
+    const size_t channels = 3 + furtherChannels.size();
+    const size_t sums = sizeof(Sum) + furtherChannels.size() * sizeof(float);
+    // The picture, a copy in the file's type, the file.
+    return uint64_t(b.Area()) * (sums + channels * 3 * sizeof(float));
 }
 
 SampledSpectrum::Lanes Film::Matched(SampledSpectrum L, const SampledWavelengths &lambda) const {
