@@ -7,17 +7,21 @@
 #include <atomic>
 #include <csignal>
 #include <filesystem>
+#include <sstream>
 
 #include "pbrt/cpu/build.h"
 #include "pbrt/cpu/progress.h"
 #include "pbrt/cpu/statistics.h"
 #include "pbrt/util/args.h"
 #include "pbrt/util/atomic_file.h"
+#include "pbrt/util/write_all.h"
 
 namespace pbrt {
 namespace {
 
 constexpr int kSuccess = 0, kUserError = 1, kInterrupted = 130;
+
+constexpr size_t kLongestMessage = 2000;
 
 // A signal handler can reach nothing else.
 volatile std::sig_atomic_t interrupted = 0;
@@ -60,6 +64,13 @@ void DefineOptions(CLI::App &app, Arguments &a, std::vector<float> &crop, std::v
     app.set_version_flag("--version", "pbrt-feather " PBRT_VERSION);
 }
 
+/// Prints on standard output; the exit code.
+int PrintOut(std::string_view text) {
+    const auto why = WriteStandardOutput(text);
+    if (why) fmt::print(stderr, "Error: {}\n", *why);
+    return why ? kUserError : kSuccess;
+}
+
 struct ParsedArguments {
     Arguments arguments;
     std::optional<int> exitCode;
@@ -76,7 +87,8 @@ ParsedArguments ParseArguments(int argc, char **argv) {
     NormalizedArgs normal =
         NormalizeArgs(std::vector<std::string>(argv + 1, argv + argc), ArgOptionsOf(app));
     if (!normal.error.empty()) {
-        fmt::print(stderr, "pbrt: {}\nRun pbrt --help for the list of options.\n", normal.error);
+        fmt::print(stderr, "pbrt: {}\nRun pbrt --help for the list of options.\n",
+                   Shortened(normal.error, kLongestMessage));
         result.exitCode = kUserError;
         return result;
     }
@@ -84,11 +96,13 @@ ParsedArguments ParseArguments(int argc, char **argv) {
     try {
         app.parse(normal.args);
     } catch (const CLI::Success &e) {
-        app.exit(e);
-        result.exitCode = kSuccess;
+        std::ostringstream text;
+        app.exit(e, text, text);
+        result.exitCode = PrintOut(text.str());
         return result;
     } catch (const CLI::ParseError &e) {
-        fmt::print(stderr, "pbrt: {}\nRun pbrt --help for the list of options.\n", e.what());
+        fmt::print(stderr, "pbrt: {}\nRun pbrt --help for the list of options.\n",
+                   Shortened(e.what(), kLongestMessage));
         result.exitCode = kUserError;
         return result;
     }
@@ -142,13 +156,13 @@ void PrintRemarks(const World &world) {
 
 /// Statistics to where they are wanted; the exit code.
 int Report(const Statistics &s, const Arguments &a) {
-    if (a.stats) fmt::print("{}", StatisticsText(s));
-    if (a.statsFile.empty()) return kSuccess;
+    const int printed = a.stats ? PrintOut(StatisticsText(s)) : kSuccess;
+    if (a.statsFile.empty()) return printed;
     if (const auto why = WriteFileAtomically(a.statsFile, StatisticsJson(s))) {
         fmt::print(stderr, "Error: {}\n", *why);
         return kUserError;
     }
-    return kSuccess;
+    return printed;
 }
 
 int RenderAndWrite(World &world, const Arguments &a, const Times &times) {
@@ -171,8 +185,8 @@ int RenderAndWrite(World &world, const Arguments &a, const Times &times) {
         return kInterrupted;
     }
     if (!a.quiet) PrintRemarks(world);
-    if (const auto why =
-            WriteImage(Finished(world, *stats), world.film.FileName(), world.film.Format())) {
+    if (const auto why = WriteImageSomewhere(Finished(world, *stats), world.film.FileName(),
+                                             world.film.Format())) {
         fmt::print(stderr, "Error: {}\n", *why);
         return kUserError;
     }
