@@ -36,6 +36,7 @@ void Become(const char *folder, const Limits &limits, int output) {
     dup2(output, STDERR_FILENO);
     Limit(RLIMIT_CORE, 0);
     if (limits.addressSpace > 0) Limit(RLIMIT_AS, limits.addressSpace);
+    if (limits.fileSize > 0) Limit(RLIMIT_FSIZE, limits.fileSize);
     if (limits.threads > 0) {
         Limit(RLIMIT_NPROC, uint64_t(limits.threads));
         if (geteuid() == 0 &&
@@ -115,7 +116,7 @@ Outcome Process::Wait(std::chrono::seconds longest) {
 }
 
 bool CanLimitThreads() {
-    const Outcome outcome = Process("imgtool", {"help"}, "/", {0, 1, {}}).Wait();
+    const Outcome outcome = Process("imgtool", {"help"}, "/", {0, 1, {}, 0}).Wait();
     return outcome.exitCode == 0;
 }
 

@@ -49,7 +49,7 @@ OrError<Image> Crop(const Image &image, const std::vector<int> &crop) {
 }
 
 OrError<Image> Read(const std::string &fileName, std::string *remarks) {
-    OrError<Image> image = ReadImage(fileName);
+    OrError<Image> image = ReadImage(fileName, {}, Pipes::Taken);
     if (image && !image.value->metadata.unread.empty())
         *remarks += fmt::format("imgtool: {}: {}\n", fileName, image.value->metadata.unread);
     return image;

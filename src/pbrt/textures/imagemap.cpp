@@ -4,6 +4,7 @@
 
 #include "pbrt/textures/color_role.h"
 #include "pbrt/textures/encoding.h"
+#include "pbrt/util/memory.h"
 
 namespace pbrt {
 namespace {
@@ -81,6 +82,10 @@ std::shared_ptr<const MIPMap> GetImage(TextureBuilder &builder, bool wantsFloat)
     const Image &image = *read.value;
     if (!image.metadata.unread.empty())
         params.WarningOnce("filename", fmt::format("{}: {}", file, image.metadata.unread));
+    if (const auto why = WhyTooLarge(MIPMap::BytesToCreate(image))) {
+        params.Error("filename", fmt::format("\"{}\" as a texture {}", file, *why));
+        return images[key] = nullptr;
+    }
     if (wantsFloat && MIPMap::HasAlpha(image))
         return images[alphaKey] = MIPMap::CreateOfAlpha(image);
     const std::shared_ptr<const MIPMap> map =

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -34,6 +35,9 @@ class MIPMap {
     static std::shared_ptr<const MIPMap> CreateOfAlpha(const Image &image);
     /// Has channels R, G, B, and A that is not 1 everywhere: pbrt-v4 reads floats from A then.
     static bool HasAlpha(const Image &image);
+
+    /// The most memory that Create takes, beside the picture: all levels as floats.
+    static uint64_t BytesToCreate(const Image &image);
 
     /// Filtered value, T = float (mean of the channels) or RGB. Point and bilinear look at one
     /// level, trilinear between two, by pbrt-v4's rule: the number of levels - 1 + log2 of twice
