@@ -6,8 +6,10 @@
 #include <cstdio>
 #include <vector>
 
+#include "pbrt/cli/help.h"
 #include "pbrt/util/args.h"
 #include "pbrt/util/diagnostics.h"
+#include "pbrt/util/upstream.h"
 
 namespace pbrt::cli {
 namespace {
@@ -24,13 +26,28 @@ Outcome UnknownCommand(const Tool &tool, std::string_view name) {
     std::vector<std::string_view> names;
     for (const Command &command : tool.commands)
         names.push_back(command.name);
+    const std::string upstream = PbrtHasIt(fmt::format("command of {}", tool.name), name);
     return Failure(tool.name, fmt::format("unknown command \"{}\"{}\nexpected {}", name,
-                                          DidYouMean(name, names), QuotedList(names)));
+                                          upstream.empty() ? DidYouMean(name, names) : upstream,
+                                          QuotedList(names)));
+}
+
+std::string Version() {
+    return "pbrt-feather " PBRT_VERSION;
+}
+
+/// Of an option given twice the last counts: wrappers append theirs.
+void LastOnesCount(CLI::App *app) {
+    for (CLI::Option *option : app->get_options([](CLI::Option *) { return true; }))
+        if (!option->get_positional() && option->get_items_expected_max() == 1)
+            option->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
 }
 
 }  // namespace
 
 Outcome Run(const Tool &tool, Args args) {
+    if (!args.empty() && (args[0] == "--version" || args[0] == "-version"))
+        return {0, Version() + "\n", {}};
     const bool wantsHelp = args.empty() || args[0] == "help" || args[0] == "--help" ||
                            args[0] == "-help" || args[0] == "-h";
     if (wantsHelp && args.size() < 2) return {0, Manual(tool), {}};
@@ -47,6 +64,9 @@ Outcome Failure(std::string_view tool, std::string_view reason) {
 }
 
 std::optional<Outcome> Parse(CLI::App *app, Args args) {
+    app->set_help_flag("--help", "print this");
+    app->set_version_flag("--version", Version(), "print the version");
+    LastOnesCount(app);
     NormalizedArgs normalized = NormalizeArgs(args, ArgOptionsOf(*app));
     const auto mistake = [&](std::string_view text) {
         return Outcome{1,
@@ -54,12 +74,17 @@ std::optional<Outcome> Parse(CLI::App *app, Args args) {
                        fmt::format("{}: {}\n(\"{} --help\" lists the options)\n", app->get_name(),
                                    text, app->get_name())};
     };
+    const std::string upstream =
+        PbrtHasIt(fmt::format("option of {}", app->get_name()), normalized.unknown);
+    if (!upstream.empty()) return mistake("unknown option --" + normalized.unknown + upstream);
     if (!normalized.error.empty()) return mistake(normalized.error);
     std::reverse(normalized.args.begin(), normalized.args.end());  // CLI11 takes them from the back
     try {
         app->parse(normalized.args);
     } catch (const CLI::CallForHelp &) {
-        return Outcome{0, app->help(), {}};
+        return Outcome{0, Help(*app), {}};
+    } catch (const CLI::CallForVersion &e) {
+        return Outcome{0, std::string(e.what()) + "\n", {}};
     } catch (const CLI::ParseError &e) {
         return mistake(e.what());
     }

@@ -1,7 +1,5 @@
 #include "pbrt/shapes/create.h"
 
-#include <fmt/format.h>
-
 #include <array>
 
 #include "pbrt/shapes/shape.h"
@@ -37,11 +35,12 @@ std::span<const std::string_view> ShapeNames() {
 std::vector<Shape> CreateShapes(const ShapeEntity &entity, ParamDict &params,
                                 const Transform &renderFromObject) {
     for (const ShapeType &type : kTypes)
-        if (type.name == entity.type) return type.create({entity, params, renderFromObject});
-    params.Error(fmt::format(
-        "unknown shape \"{}\"{} expected {}", entity.type,
-        DidYouMean(entity.type, kNames).empty() ? ";" : DidYouMean(entity.type, kNames) + " -",
-        QuotedList(kNames)));
+        if (type.name == entity.type) {
+            std::vector<Shape> shapes = type.create({entity, params, renderFromObject});
+            params.ReportUnused();
+            return shapes;
+        }
+    params.Error(UnknownName("shape", entity.type, kNames));
     return {};
 }
 

@@ -6,6 +6,8 @@
 #include <cctype>
 #include <numeric>
 
+#include "pbrt/util/upstream.h"
+
 namespace pbrt {
 
 void Diagnostics::Error(const FileLoc &loc, std::string_view message) {
@@ -74,7 +76,8 @@ std::string DidYouMean(std::string_view name, std::span<const std::string_view> 
 
 std::string UnknownName(std::string_view kind, std::string_view name,
                         std::span<const std::string_view> known) {
-    const std::string hint = DidYouMean(name, known);
+    const std::string upstream = PbrtHasIt(kind, name);
+    const std::string hint = upstream.empty() ? DidYouMean(name, known) : upstream + '.';
     return fmt::format("unknown {} \"{}\"{} Known: {}", kind, name, hint.empty() ? "." : hint,
                        QuotedList(known));
 }
