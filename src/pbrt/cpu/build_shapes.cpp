@@ -40,7 +40,6 @@ class ShapeBuilder {
                          entity.colorSpace, &log, scene.dir);
         const FloatTexture alpha = GetFloatTexture(params, textures, kAlpha);
         std::vector<Shape> shapes = CreateShapes(entity, params, renderFromObject);
-        params.ReportUnused();
         const MaterialId material = MaterialOf(entity);
         if (material == kInterfaceId) {
             if (entity.areaLight)

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "pbrt/cli/options.h"
 #include "pbrt/imgtool/command_line.h"
 #include "pbrt/imgtool/metric.h"
 #include "pbrt/imgtool/pictures.h"
@@ -26,15 +27,15 @@ std::optional<Outcome> ParseOptions(Args args, Options *o) {
         "imgtool diff");
     app.add_option("picture", o->file, "picture to judge")->required();
     AddComparison(&app, &o->reference, &o->metric);
-    app.add_option("--difftol", o->tolerance, "largest error that passes (default 0)");
+    cli::AddNumber(&app, "--difftol", &o->tolerance, cli::kFromZero,
+                   "largest error that passes (default 0)");
     app.add_option("--outfile", o->outfile, "picture of the error of each value");
     app.add_option("--variance", o->variance, "picture of the variance of each reference value");
-    app.add_option("--variance-ratio", o->varianceRatio,
+    cli::AddNumber(&app, "--variance-ratio", &o->varianceRatio, cli::kFromZero,
                    "variance of the picture in units of the reference's (default: by the samples "
-                   "per pixel in the files, else 1)")
-        ->check(CLI::NonNegativeNumber);
-    app.add_option("--tile", o->tile, "pixels along a tile's edge (default 10)")
-        ->check(CLI::PositiveNumber);
+                   "per pixel in the files, else 1)");
+    cli::AddNumber(&app, "--tile", &o->tile, {.lo = 1, .hi = 1 << 16},
+                   "pixels along a tile's edge (default 10)");
     AddChannels(&app, &o->channels);
     AddCrop(&app, &o->crop);
     return cli::Parse(&app, args);

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "pbrt/cli/options.h"
 #include "pbrt/imgtool/command_line.h"
 #include "pbrt/imgtool/pictures.h"
 #include "pbrt/util/equal_area.h"
@@ -54,8 +55,8 @@ Outcome MakeEquiArea(Args args) {
         "imgtool makeequiarea");
     app.add_option("picture", file, "latitude-longitude picture")->required();
     AddOutfile(&app, &outfile);
-    app.add_option("--resolution", resolution, "pixels along the edge (default: the input's width)")
-        ->check(CLI::Range(1, 32768));
+    cli::AddNumber(&app, "--resolution", &resolution, {.lo = 1, .hi = 32768},
+                   "pixels along the edge (default: the input's width)");
     if (auto end = cli::Parse(&app, args)) return *end;
     std::string remarks;
     const OrError<Image> latLong = Read(file, &remarks);

@@ -18,7 +18,8 @@ struct InterfaceMaterial {
     static constexpr std::string_view kName = "interface";
 };
 
-/// The one list of materials that scatter. A mix chooses one of them first.
+/// The one list of materials that scatter. A mix chooses one of them first. CONTRIBUTING.md has the
+/// members that each must have, and those it may have.
 using MaterialTypes =
     TypeList<DiffuseMaterial, ConductorMaterial, DielectricMaterial, FeatherBarbuleMaterial,
              HairMaterial, DiffuseTransmissionMaterial, CoatedDiffuseMaterial>;

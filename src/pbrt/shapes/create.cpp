@@ -1,7 +1,5 @@
 #include "pbrt/shapes/create.h"
 
-#include <fmt/format.h>
-
 #include <array>
 
 #include "pbrt/shapes/shape.h"
@@ -50,12 +48,13 @@ std::span<const std::string_view> ShapeNames() {
 std::vector<Shape> CreateShapes(const ShapeEntity &entity, ParamDict &params,
                                 const Transform &renderFromObject) {
     for (const ShapeType &type : kTypes)
-        if (type.name == entity.type)
-            return InRange(type.create({entity, params, renderFromObject}), params);
-    params.Error(fmt::format(
-        "unknown shape \"{}\"{} expected {}", entity.type,
-        DidYouMean(entity.type, kNames).empty() ? ";" : DidYouMean(entity.type, kNames) + " -",
-        QuotedList(kNames)));
+        if (type.name == entity.type) {
+            std::vector<Shape> shapes =
+                InRange(type.create({entity, params, renderFromObject}), params);
+            params.ReportUnused();
+            return shapes;
+        }
+    params.Error(UnknownName("shape", entity.type, kNames));
     return {};
 }
 
