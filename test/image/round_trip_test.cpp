@@ -6,7 +6,7 @@
 #include "image/pictures.h"
 #include "pbrt/image/image.h"
 #include "pbrt/image/primaries.h"
-#include "pbrt/util/atomic_file.h"
+#include "pbrt/util/read_file.h"
 #include "support/temp_folder.h"
 
 namespace pbrt {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <random>
 
 #include "support/temp_folder.h"
 
@@ -46,13 +47,38 @@ TEST_F(SpectrumFile, ErrorsNameFileAndLine) {
 TEST_F(SpectrumFile, MissingIsAnError) {
     const auto read = ReadSpectrumFile("/nowhere/curve.spd");
     EXPECT_FALSE(read);
-    EXPECT_EQ(read.error, "/nowhere/curve.spd: cannot be opened");
+    EXPECT_EQ(read.error, "/nowhere/curve.spd: cannot be opened: No such file or directory");
 }
 
 TEST_F(SpectrumFile, AFolderIsAnError) {
     const auto read = ReadSpectrumFile(folder.string());
     EXPECT_FALSE(read);
     EXPECT_FALSE(read.error.empty());
+}
+
+TEST_F(SpectrumFile, MessagesShowNoLongWords) {
+    const auto read = Read("400 " + std::string(1 << 20, 'x') + "\n");
+    EXPECT_FALSE(read);
+    EXPECT_LT(read.error.size(), folder.string().size() + 120) << read.error.size();
+}
+
+TEST_F(SpectrumFile, DamagedFilesAreReadOrRefused) {
+    std::string good = "# a curve\n";
+    for (int i = 0; i < 40; ++i)
+        good += std::to_string(380 + 10 * i) + " 0." + std::to_string(i * 7919) + "\n";
+    std::mt19937 random(4);
+    for (int i = 0; i < 500; ++i) {
+        std::string bad = good;
+        for (int k = 0; k < 1 + i % 3; ++k)
+            bad[random() % bad.size()] ^= char(1 + random() % 255);
+        if (i % 2) bad.resize(random() % bad.size());
+        const auto read = Read(bad);
+        EXPECT_NE(bool(read), !read.error.empty());
+        if (!read) continue;
+        ASSERT_EQ(read.value->lambda.size(), read.value->values.size());
+        for (size_t k = 1; k < read.value->lambda.size(); ++k)
+            EXPECT_LT(read.value->lambda[k - 1], read.value->lambda[k]);
+    }
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <random>
 
 namespace pbrt::test {
@@ -172,6 +173,24 @@ TEST(EWA, TurnsWithItsFootprint) {
     const Footprint f{0.15f, 0.03f, -0.01f, 0.05f}, g{0.03f, 0.15f, 0.05f, -0.01f};
     EXPECT_NEAR(a->Lookup<float>({0.3f, 0.8f}, f, Sampling(TextureFilter::EWA)),
                 b->Lookup<float>({0.8f, 0.3f}, g, Sampling(TextureFilter::EWA)), 1e-5);
+}
+
+TEST(EveryFilter, AnyCoordinatesHaveAValue) {
+    // uv of a mesh times uscale may overflow; no integer can hold what comes of it.
+    const auto map = Map(Picture({8, 4}, 1, 9));
+    const float kOdd[] = {0.3f,     -1e9f,     1e30f,         -1e38f,
+                          Infinity, -Infinity, std::nanf(""), std::numeric_limits<float>::max()};
+    for (const auto filter : {TextureFilter::Point, TextureFilter::Bilinear,
+                              TextureFilter::Trilinear, TextureFilter::EWA})
+        for (const auto wrap : {WrapMode::Repeat, WrapMode::Black, WrapMode::Clamp})
+            for (const float s : kOdd)
+                for (const float t : kOdd)
+                    for (const float step : kOdd) {
+                        const float v = map->Lookup<float>({s, t}, {step, 0, 0.1f, step},
+                                                           Sampling(filter, wrap));
+                        EXPECT_TRUE(v >= 0 && v <= 2) << int(filter) << ' ' << int(wrap) << ' ' << s
+                                                      << ' ' << t << ' ' << step << ": " << v;
+                    }
 }
 
 TEST(EightBitPictures, StayBytesWithoutLoss) {

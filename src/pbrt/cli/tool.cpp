@@ -3,15 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <vector>
 
 #include "pbrt/cli/main.h"
 #include "pbrt/util/args.h"
 #include "pbrt/util/diagnostics.h"
+#include "pbrt/util/write_all.h"
 
 namespace pbrt::cli {
 namespace {
+
+constexpr size_t kLongestMessage = 10000;
 
 std::string Manual(const Tool &tool) {
     std::string text = fmt::format("usage: {} {}\n\n", tool.name, tool.usage);
@@ -25,8 +30,19 @@ Outcome UnknownCommand(const Tool &tool, std::string_view name) {
     std::vector<std::string_view> names;
     for (const Command &command : tool.commands)
         names.push_back(command.name);
-    return Failure(tool.name, fmt::format("unknown command \"{}\"{}\nexpected {}", name,
+    return Failure(tool.name, fmt::format("unknown command \"{}\"{}\nexpected {}", Shortened(name),
                                           DidYouMean(name, names), QuotedList(names)));
+}
+
+/// The first number option that is not a number, which a range would let pass; or nothing.
+std::string NaNOption(const CLI::App &app) {
+    for (const CLI::Option *option : app.get_options()) {
+        if (option->get_type_name().find("FLOAT") == std::string::npos) continue;
+        for (const std::string &word : option->results())
+            if (std::isnan(std::strtod(word.c_str(), nullptr)))
+                return fmt::format("{}: {} is no number", option->get_name(), Shortened(word));
+    }
+    return {};
 }
 
 }  // namespace
@@ -44,7 +60,7 @@ Outcome Run(const Tool &tool, Args args) {
 }
 
 Outcome Failure(std::string_view tool, std::string_view reason) {
-    return {1, {}, fmt::format("{}: {}\n", tool, reason)};
+    return {1, {}, fmt::format("{}: {}\n", tool, Shortened(reason, kLongestMessage))};
 }
 
 std::optional<Outcome> Parse(CLI::App *app, Args args) {
@@ -54,7 +70,7 @@ std::optional<Outcome> Parse(CLI::App *app, Args args) {
         return Outcome{1,
                        {},
                        fmt::format("{}: {}\n(\"{} --help\" lists the options)\n", app->get_name(),
-                                   text, app->get_name())};
+                                   Shortened(text, kLongestMessage), app->get_name())};
     };
     if (!normalized.error.empty()) return mistake(normalized.error);
     std::reverse(normalized.args.begin(), normalized.args.end());  // CLI11 takes them from the back
@@ -65,13 +81,16 @@ std::optional<Outcome> Parse(CLI::App *app, Args args) {
     } catch (const CLI::ParseError &e) {
         return mistake(e.what());
     }
+    if (const std::string wrong = NaNOption(*app); !wrong.empty()) return mistake(wrong);
     return {};
 }
 
 int Print(const Outcome &outcome) {
-    std::fputs(outcome.out.c_str(), stdout);
     std::fputs(outcome.err.c_str(), stderr);
-    return outcome.exitCode;
+    const auto why = WriteStandardOutput(outcome.out);
+    if (!why) return outcome.exitCode;
+    std::fprintf(stderr, "%s\n", why->c_str());
+    return std::max(outcome.exitCode, 1);
 }
 
 }  // namespace pbrt::cli

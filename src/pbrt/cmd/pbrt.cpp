@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <sstream>
 
 #include "pbrt/cli/interrupts.h"
 #include "pbrt/cli/main.h"
@@ -16,11 +17,14 @@
 #include "pbrt/util/args.h"
 #include "pbrt/util/atomic_file.h"
 #include "pbrt/util/say.h"
+#include "pbrt/util/write_all.h"
 
 namespace pbrt {
 namespace {
 
 constexpr int kSuccess = 0, kUserError = 1;
+
+constexpr size_t kLongestMessage = 2000;
 
 struct Arguments {
     std::vector<std::string> files;
@@ -61,6 +65,17 @@ void DefineOptions(CLI::App &app, Arguments &a, std::vector<float> &crop, std::v
     app.footer(std::string(cli::kMemoryLimitHelp));
 }
 
+int Complain(const std::string &why) {
+    Say(fmt::format("Error: {}\n", why));
+    return kUserError;
+}
+
+/// Prints on standard output; the exit code.
+int PrintOut(std::string_view text) {
+    const auto why = WriteStandardOutput(text);
+    return why ? Complain(*why) : kSuccess;
+}
+
 struct ParsedArguments {
     Arguments arguments;
     std::optional<int> exitCode;
@@ -76,7 +91,8 @@ ParsedArguments ParseArguments(cli::Args words) {
     DefineOptions(app, a, crop, bounds, pixel, spp);
     NormalizedArgs normal = NormalizeArgs(words, ArgOptionsOf(app));
     if (!normal.error.empty()) {
-        Say(fmt::format("pbrt: {}\nRun pbrt --help for the list of options.\n", normal.error));
+        Say(fmt::format("pbrt: {}\nRun pbrt --help for the list of options.\n",
+                        Shortened(normal.error, kLongestMessage)));
         result.exitCode = kUserError;
         return result;
     }
@@ -84,11 +100,13 @@ ParsedArguments ParseArguments(cli::Args words) {
     try {
         app.parse(normal.args);
     } catch (const CLI::Success &e) {
-        app.exit(e);
-        result.exitCode = kSuccess;
+        std::ostringstream text;
+        app.exit(e, text, text);
+        result.exitCode = PrintOut(text.str());
         return result;
     } catch (const CLI::ParseError &e) {
-        Say(fmt::format("pbrt: {}\nRun pbrt --help for the list of options.\n", e.what()));
+        Say(fmt::format("pbrt: {}\nRun pbrt --help for the list of options.\n",
+                        Shortened(e.what(), kLongestMessage)));
         result.exitCode = kUserError;
         return result;
     }
@@ -140,17 +158,12 @@ void PrintRemarks(const World &world) {
         print(m.Remarks());
 }
 
-int Complain(const std::string &why) {
-    Say(fmt::format("Error: {}\n", why));
-    return kUserError;
-}
-
 /// Statistics to where they are wanted; the exit code.
 int Report(const Statistics &s, const Arguments &a) {
-    if (a.stats) fmt::print("{}", StatisticsText(s));
-    if (a.statsFile.empty()) return kSuccess;
+    const int printed = a.stats ? PrintOut(StatisticsText(s)) : kSuccess;
+    if (a.statsFile.empty()) return printed;
     if (const auto why = WriteFileAtomically(a.statsFile, StatisticsJson(s))) return Complain(*why);
-    return kSuccess;
+    return printed;
 }
 
 int Stopped(const cli::Interrupts::Caught &by) {
@@ -171,9 +184,11 @@ int RenderAndWrite(World &world, const Arguments &a, const Times &times) {
     progress.Finish(stats ? "done" : "stopped");
     if (!stats) return Stopped(*interrupts.First());
     if (!a.quiet) PrintRemarks(world);
-    if (const auto why =
-            WriteImage(Finished(world, *stats), world.film.FileName(), world.film.Format()))
-        return interrupts.First() ? Stopped(*interrupts.First()) : Complain(*why);
+    if (const auto why = WriteImageSomewhere(Finished(world, *stats), world.film.FileName(),
+                                             world.film.Format())) {
+        const int failed = Complain(*why);
+        return interrupts.First() ? interrupts.First()->exitCode : failed;
+    }
     return Report(CollectStatistics(world, *stats, times.parse, times.build), a);
 }
 

@@ -3,12 +3,16 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cstdint>
 
-#include "pbrt/util/atomic_file.h"
 #include "pbrt/util/diagnostics.h"
+#include "pbrt/util/read_file.h"
 
 namespace pbrt::feathergen {
 namespace {
+
+/// All parameters take some 1.5 kB; parsed, JSON takes up to a hundred times its size.
+constexpr uint64_t kMostJsonBytes = 1000000;
 
 /// `name=value`.
 std::string ApplySetting(const std::string &setting, Parameters *parameters) {
@@ -21,7 +25,7 @@ std::string ApplySetting(const std::string &setting, Parameters *parameters) {
         if (first != last && parsed.ec == std::errc() && parsed.ptr == last)
             return SetParameter(setting.substr(0, equals), value, parameters);
     }
-    return fmt::format("\"{}\": expected name=number", setting);
+    return fmt::format("\"{}\": expected name=number", Shortened(setting));
 }
 
 }  // namespace
@@ -44,7 +48,7 @@ std::string FeatherOptions::Read(Parameters *parameters) const {
     *parameters = PresetNamed(preset, &problem);
     if (!problem.empty()) return "--preset: " + problem;
     if (!paramsFile.empty()) {
-        const FileContents file = ReadWholeFile(paramsFile);
+        const FileContents file = ReadWholeFile(paramsFile, Pipes::Taken, kMostJsonBytes);
         if (!file.bytes) return "--params: " + file.error;
         problem = FromJson(*file.bytes, parameters);
         if (!problem.empty()) return fmt::format("--params: {}: {}", paramsFile, problem);
@@ -63,7 +67,8 @@ std::string FeatherOptions::Read(Parameters *parameters) const {
         return "--textures: " + UnknownName("kind", textures, kKinds);
     if (out.empty() && !printPreset) return "--out is missing: expected a folder to write to";
     if (out.find('"') != std::string::npos)
-        return fmt::format("--out: \"{}\": scenes cannot name a folder with a quotation mark", out);
+        return fmt::format("--out: \"{}\": scenes cannot name a folder with a quotation mark",
+                           Shortened(out));
     return {};
 }
 

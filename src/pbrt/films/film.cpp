@@ -19,7 +19,9 @@ constexpr NumberRow kWhiteBalance{"whitebalance", "K", 0, 0, 25000, "0: none"};
 constexpr NumberRow kDiagonal{"diagonal", "mm", 35, 1e-6f, 1e6f, "of the film"};
 
 PixelBounds Crop(Point2i full, const std::array<float, 4> &c) {
-    const auto edge = [](float f, int n) { return std::clamp(int(std::ceil(f * n)), 0, n); };
+    const auto edge = [](float f, int n) {
+        return int(std::clamp(std::ceil(f * float(n)), 0.f, float(n)));
+    };
     return {edge(c[0], full.x), edge(c[1], full.x), edge(c[2], full.y), edge(c[3], full.y)};
 }
 

@@ -2,14 +2,20 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <exception>
+#include <filesystem>
 
 #include "pbrt/image/codecs.h"
 #include "pbrt/image/primaries.h"
 #include "pbrt/util/atomic_file.h"
+#include "pbrt/util/memory.h"
+#include "pbrt/util/read_file.h"
 
 namespace pbrt {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr ColorEncoding kSRGB{ColorEncoding::Kind::sRGB, 1};
 
@@ -53,6 +59,10 @@ std::optional<std::string> Implausible(double width, double height, double chann
     if (width * height * bitsPerPixel / 8 > maxRatio * double(bytesInFile))
         return fmt::format("is damaged: {} x {} pixels cannot come from {} bytes", width, height,
                            bytesInFile);
+    const double bytes = width * height * (channels * sizeof(float) + bitsPerPixel / 8);
+    if (const auto why = WhyTooLarge(uint64_t(bytes)))
+        return fmt::format("has {} x {} pixels of {} channels: it {}", width, height, channels,
+                           *why);
     return {};
 }
 
@@ -88,8 +98,9 @@ OrError<Image> ForDisplay(const Image &image, bool withAlpha) {
     return {std::move(display), {}};
 }
 
-OrError<Image> ReadImage(const std::string &fileName, std::optional<ColorEncoding> encoding) {
-    const FileContents file = ReadWholeFile(fileName);
+OrError<Image> ReadImage(const std::string &fileName, std::optional<ColorEncoding> encoding,
+                         Pipes pipes) {
+    const FileContents file = ReadWholeFile(fileName, pipes);
     if (!file.bytes) return {{}, file.error};
     OrError<Image> image;
     try {
@@ -117,6 +128,21 @@ std::optional<std::string> WriteImage(const Image &image, const std::string &fil
     }
     if (!bytes) return fmt::format("{}: {}", fileName, bytes.error);
     return WriteFileAtomically(fileName, *bytes.value);
+}
+
+std::optional<std::string> WriteImageSomewhere(const Image &image, const std::string &fileName,
+                                               ExrPixels pixels) {
+    const auto why = WriteImage(image, fileName, pixels);
+    if (!why) return {};
+    std::error_code unknown;
+    std::string folder = (fs::temp_directory_path(unknown) / "pbrt-XXXXXX").string();
+    if (!mkdtemp(folder.data())) return why;
+    constexpr size_t kLongest = 200;  // bytes of a name, which others limit to 255
+    const std::string name = fs::path(fileName).stem().string().substr(0, kLongest);
+    const std::string kept = fmt::format("{}/{}.exr", folder, name);
+    if (!WriteImage(image, kept, pixels)) return fmt::format("{}; the picture is {}", *why, kept);
+    fs::remove(folder, unknown);
+    return fmt::format("{}; neither could it be kept in {}", *why, folder);
 }
 
 bool CanWriteImage(std::string_view fileName) {

@@ -86,7 +86,7 @@ Outcome Info(Args args) {
     if (auto end = cli::Parse(&app, args)) return *end;
     Outcome outcome;
     for (const std::string &file : files) {
-        const OrError<Image> image = ReadImage(file);
+        const OrError<Image> image = ReadImage(file, {}, Pipes::Taken);
         if (image) {
             outcome.out += Text(file, *image.value);
         } else {

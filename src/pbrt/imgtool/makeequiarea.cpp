@@ -56,7 +56,7 @@ Outcome MakeEquiArea(Args args) {
     app.add_option("--resolution", resolution, "pixels along the edge (default: the input's width)")
         ->check(CLI::Range(1, 32768));
     if (auto end = cli::Parse(&app, args)) return *end;
-    const OrError<Image> latLong = ReadImage(file);
+    const OrError<Image> latLong = ReadImage(file, {}, Pipes::Taken);
     if (!latLong) return Failure(latLong.error);
     const auto [width, height] = latLong.value->Resolution();
     if (width != 2 * height)

@@ -50,7 +50,7 @@ OrError<Image> Crop(const Image &image, const std::vector<int> &crop) {
 
 OrError<Image> ReadPart(const std::string &fileName, const std::vector<std::string> &channels,
                         const std::vector<int> &crop) {
-    OrError<Image> image = ReadImage(fileName);
+    OrError<Image> image = ReadImage(fileName, {}, Pipes::Taken);
     if (!image) return image;
     if (!channels.empty()) image = SelectChannels(*image.value, channels);
     if (image && !crop.empty()) image = Crop(*image.value, crop);

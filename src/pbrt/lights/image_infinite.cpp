@@ -46,6 +46,12 @@ float ImageInfiniteLight::Illuminance(const Image &image, const RGBColorSpace &c
     return float(sum * 4 * double(Pi) / (double(res.x) * double(res.y)));
 }
 
+uint64_t ImageInfiniteLight::BytesToCreate(const Image &image) {
+    const uint64_t n = uint64_t(image.Resolution().x) * uint64_t(image.Resolution().y);
+    // Weights, and in the table densities, cumulated values and what they are made from.
+    return n * (sizeof(Texel) + 4 * sizeof(float));
+}
+
 ImageInfiniteLight ImageInfiniteLight::FromImage(const Image &image,
                                                  const RGBColorSpace &colorSpace, float scale,
                                                  const Transform &renderFromLight) {

@@ -4,6 +4,7 @@
 
 #include "pbrt/textures/color_role.h"
 #include "pbrt/textures/encoding.h"
+#include "pbrt/util/memory.h"
 
 namespace pbrt {
 namespace {
@@ -74,6 +75,8 @@ std::shared_ptr<const MIPMap> GetImage(TextureBuilder &builder, bool pyramid) {
     std::shared_ptr<const MIPMap> map;
     if (!read) {
         params.Error("filename", read.error);
+    } else if (const auto why = WhyTooLarge(MIPMap::BytesToCreate(*read.value))) {
+        params.Error("filename", fmt::format("\"{}\" as a texture {}", file, *why));
     } else {
         map = MIPMap::Create(
             *read.value, encoding.value_or(ColorEncoding{ColorEncoding::Kind::sRGB, 1}), pyramid);

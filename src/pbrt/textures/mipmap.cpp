@@ -21,9 +21,12 @@ int Wrap(int i, int n, WrapMode wrap) {
     return r < 0 ? r + n : r;
 }
 
-/// A coordinate with the same texel, small enough for int arithmetic.
+/// A coordinate with the same texel, small enough for int arithmetic; some corner for NaN and what
+/// has no place within a period.
 float Tame(float s, WrapMode wrap) {
-    return wrap == WrapMode::Repeat ? s - std::floor(s) : std::clamp(s, -64.f, 65.f);
+    if (wrap != WrapMode::Repeat) return s > -64 ? std::min(s, 65.f) : -64.f;
+    const float within = s - std::floor(s);
+    return within >= 0 ? within : 0.f;
 }
 Point2f Tame(Point2f st, WrapMode wrap) {
     return {Tame(st.x, wrap), Tame(st.y, wrap)};
@@ -60,6 +63,12 @@ std::shared_ptr<const MIPMap> MIPMap::Create(const Image &image, const ColorEnco
     while (pyramid && map->levels.back().Resolution() != Point2i{1, 1})
         map->levels.push_back(map->levels.back().HalfSize());
     return map;
+}
+
+uint64_t MIPMap::BytesToCreate(const Image &image) {
+    const Point2i res = image.Resolution();
+    const uint64_t values = uint64_t(res.x) * uint64_t(res.y) * ColorChannels(image).size();
+    return values * sizeof(float) * 4 / 3;
 }
 
 size_t MIPMap::MemoryBytes() const {
@@ -122,6 +131,8 @@ T MIPMap::Elliptical(Point2f st, const Footprint &f, const TextureSampling &samp
     const bool xIsLong = x2 >= y2;
     const float longest = std::sqrt(std::max(x2, y2)), shortest = std::sqrt(std::min(x2, y2));
     if (!(longest > 0)) return Bilinear<T>(0, st, sampling.wrap);
+    const int last = NLevels() - 1;
+    if (!(x2 + y2 < Infinity)) return Bilinear<T>(last, st, sampling.wrap);
     const float wanted = longest / std::max(1.f, sampling.maxAnisotropy);
     Footprint g = f;
     if (shortest < wanted) {
@@ -134,7 +145,6 @@ T MIPMap::Elliptical(Point2f st, const Footprint &f, const TextureSampling &samp
     const float width = std::max(shortest, wanted);
     if (!(width > 1)) return EllipseMean<T>(0, st, g, sampling.wrap);
     const float lod = std::log2(width);
-    const int last = NLevels() - 1;
     if (lod >= float(last)) return Bilinear<T>(last, st, sampling.wrap);
     const int level = int(lod);
     const float part = lod - float(level);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -31,6 +32,9 @@ class MIPMap {
     /// `encoding`: the one that the file's bytes had, for compact storage.
     static std::shared_ptr<const MIPMap> Create(const Image &image, const ColorEncoding &encoding,
                                                 bool pyramid);
+
+    /// The most memory that Create takes, beside the picture: all levels as floats.
+    static uint64_t BytesToCreate(const Image &image);
 
     /// Filtered value, T = float (mean of the channels) or RGB. EWA: elliptical Gaussian
     /// (Heckbert 1989) whose axes are the footprint's, long axis at most maxAnisotropy times the

@@ -22,9 +22,14 @@ struct Message {
     std::string text;  ///< "file:line:column: message"
 };
 
+/// Text for a message: what is longer than `most` bytes loses its middle ("abc ... xyz"), and of
+/// the characters that steer a terminal only line ends are left.
+std::string Shortened(std::string_view text, size_t most = 60);
+
 /// Collects the user's mistakes, so that one run reports as many as it can.
 class Diagnostics {
   public:
+    /// Messages of more than some 2000 bytes are shortened.
     void Error(const FileLoc &loc, std::string_view message);
     void Warning(const FileLoc &loc, std::string_view message);
     bool HasErrors() const { return errors > 0; }
