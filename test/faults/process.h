@@ -13,7 +13,9 @@ namespace pbrt::test {
 struct Limits {
     uint64_t addressSpace = 0;  ///< bytes, RLIMIT_AS; 0: no limit. Nothing for sanitizers
     int threads = 0;        ///< RLIMIT_NPROC, the first one too; 0: no limit. See CanLimitThreads
-    std::string out;        ///< file that standard output goes to; empty: Outcome::said
+    std::string out = {};   ///< file that standard output goes to; empty: Outcome::said
+    std::string err = {};   ///< as `out`, of standard error
+    int ignored = 0;        ///< a signal that it starts with ignoring
     uint64_t fileSize = 0;  ///< bytes, RLIMIT_FSIZE; 0: no limit
 };
 
@@ -36,6 +38,8 @@ class Process {
     Process &operator=(const Process &) = delete;
 
     void Signal(int number) const;
+    /// Waits until it has a handler for the signal; false where none comes.
+    bool Catches(int number) const;
     /// Waits for its end; after `longest` it is killed.
     Outcome Wait(std::chrono::seconds longest = std::chrono::seconds(60));
     /// Whether it has said `text` within `longest`.

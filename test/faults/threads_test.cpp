@@ -14,12 +14,19 @@ TEST_F(FaultsOfThreads, NoneToBeHad) {
     const std::string right = Get("out.pfm");
     for (int threads : {1, 2, 3, 5}) {
         for (const char *wanted : {"1", "4"}) {
-            EXPECT_TRUE(Ended(Render({0, threads, {}}, {"--nthreads", wanted})))
+            EXPECT_TRUE(Ended(Render({.threads = threads}, {"--nthreads", wanted})))
                 << threads << " threads, " << wanted << " wanted";
             EXPECT_TRUE(Get("out.pfm") == right);
         }
     }
     EXPECT_EQ(Files(), (std::vector<std::string>{"out.pfm", "scene.pbrt"}));
+}
+
+TEST_F(FaultsOfThreads, NoneToBeHadByATool) {
+    if (!CanLimitThreads()) GTEST_SKIP() << "threads cannot be limited here";
+    const std::vector<std::string> args{"plot", "Material \"diffuse\"", "--png", "s.png"};
+    const Outcome outcome = Run("bsdftool", args, {.threads = 1});
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.said;
 }
 
 TEST_F(FaultsOfThreads, FarTooManyAskedFor) {

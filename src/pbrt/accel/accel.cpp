@@ -148,7 +148,8 @@ void Accel::Impl::Build(int nThreads) {
     if (!error.empty()) return;
     device = rtcNewDevice(config.c_str());
     if (!device) {
-        error = fmt::format("Embree does not start (error {})", int(rtcGetDeviceError(nullptr)));
+        failure.Note(rtcGetDeviceError(nullptr), "it does not start");
+        error = failure.Sentence();
         return;
     }
     rtcSetDeviceErrorFunction(device, NoteError, &failure);

@@ -7,7 +7,6 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
-#include <sstream>
 
 #include "pbrt/cli/interrupts.h"
 #include "pbrt/cli/main.h"
@@ -202,8 +201,10 @@ int RenderAndWrite(World &world, const Arguments &a, const Times &times,
     if (!a.quiet) PrintRemarks(world);
     Image image = Finished(world, *stats);
     if (mse) image.metadata.mse = float(mse->Error());
-    if (const auto why = WriteImageSomewhere(image, world.film.FileName(), world.film.Format()))
-        return interrupts.First() ? Stopped(*interrupts.First()) : Complain(*why);
+    if (const auto why = WriteImageSomewhere(image, world.film.FileName(), world.film.Format())) {
+        const int failed = Complain(*why);
+        return interrupts.First() ? interrupts.First()->exitCode : failed;
+    }
     if (mse && mse->Problem()) return Complain(*mse->Problem());
     return Report(CollectStatistics(world, *stats, times.parse, times.build), a);
 }
