@@ -22,6 +22,15 @@ float Reflectance(const std::string &metal, float lambda) {
     return (Sqr(n - 1) + Sqr(k)) / (Sqr(n + 1) + Sqr(k));
 }
 
+TEST(NamedSpectra, IndicesAndReflectancesCoverTheVisibleRange) {
+    for (const std::string_view name : NamedSpectrumNames()) {
+        const bool isIndex = name.ends_with("-eta") || name.starts_with("glass-");
+        if (!isIndex && name != "keratin" && name != "melanin") continue;
+        for (float lambda = 360; lambda <= 830; ++lambda)
+            EXPECT_GT((*GetNamedSpectrum(name))(lambda), 0) << name << " at " << lambda;
+    }
+}
+
 TEST(NamedSpectra, HoldThoseOfTheSceneLanguage) {
     for (const std::string metal : {"Ag", "Al", "Au", "Cu", "CuZn", "MgO", "TiO2"}) {
         EXPECT_TRUE(GetNamedSpectrum("metal-" + metal + "-eta")) << metal;

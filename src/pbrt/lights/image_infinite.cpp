@@ -40,8 +40,8 @@ double HeightTwiceIntegrated(double s) {
 
 /// Integral over [a0, a1] x [b0, b1], none of it below 0, of the height at a + b.
 double HeightOver(double a0, double a1, double b0, double b1) {
-    // There the differences would leave rounding errors, which bright texels multiply; above the
-    // horizon 1e-12 of a + b change nothing.
+    // Below the horizon the differences would leave rounding errors, which bright texels multiply;
+    // what lies within 1e-12 of it above counts for nothing.
     const bool isEmpty = a1 <= a0 || b1 <= b0, isBelow = a0 + b0 >= 1 - 1e-12;
     if (isEmpty || isBelow) return 0;
     return HeightTwiceIntegrated(a1 + b1) - HeightTwiceIntegrated(a0 + b1) -

@@ -53,27 +53,27 @@ struct SpectrumImage : SpectrumNode {
     SpectrumType role;
 };
 
-/// The picture, or what floats are read from; from those already read where file and decoding
-/// agree; nullptr after an error.
-std::shared_ptr<const MIPMap> GetImage(TextureBuilder &builder, bool wantsFloat) {
-    ParamDict &params = builder.params;
-    const std::string file = params.GetFileName("filename");
-    const std::optional<ColorEncoding> encoding = GetEncoding(params);
-    if (file.empty()) {
-        params.Error("filename", fmt::format("{} needs \"string filename\", a picture's file name",
-                                             params.What()));
-        return nullptr;
-    }
-    auto &images = builder.named.images;
-    const std::string key = fmt::format(
-        "{}|{}", file, encoding ? fmt::format("{} {}", int(encoding->kind), encoding->gamma) : "");
-    const std::string alphaKey = key + "|A";
+using Images = decltype(NamedTextures::images);
+
+std::string AlphaKey(const std::string &key) {
+    return key + "|A";
+}
+
+/// From those already read; nullopt where none serves.
+std::optional<std::shared_ptr<const MIPMap>> FindImage(const Images &images, const std::string &key,
+                                                       bool wantsFloat) {
     const auto color = images.find(key);
     if (color != images.end() && !(wantsFloat && color->second && color->second->LeavesOutAlpha()))
         return color->second;
-    if (const auto alpha = images.find(alphaKey); wantsFloat && alpha != images.end())
-        return alpha->second;
+    const auto alpha = images.find(AlphaKey(key));
+    if (wantsFloat && alpha != images.end()) return alpha->second;
+    return std::nullopt;
+}
 
+/// Adds the file's colour, or the alpha that floats are read from; nullptr after an error.
+std::shared_ptr<const MIPMap> AddImage(ParamDict &params, const std::string &file,
+                                       const std::optional<ColorEncoding> &encoding,
+                                       bool wantsFloat, const std::string &key, Images &images) {
     const OrError<Image> read = ReadImage(file, encoding);
     if (!read) {
         params.Error("filename", read.error);
@@ -87,7 +87,7 @@ std::shared_ptr<const MIPMap> GetImage(TextureBuilder &builder, bool wantsFloat)
         return images[key] = nullptr;
     }
     if (wantsFloat && MIPMap::HasAlpha(image))
-        return images[alphaKey] = MIPMap::CreateOfAlpha(image);
+        return images[AlphaKey(key)] = MIPMap::CreateOfAlpha(image);
     const std::shared_ptr<const MIPMap> map =
         MIPMap::Create(image, encoding.value_or(ColorEncoding{ColorEncoding::Kind::sRGB, 1}));
     if (!map)
@@ -96,6 +96,23 @@ std::shared_ptr<const MIPMap> GetImage(TextureBuilder &builder, bool wantsFloat)
                                  "has {}",
                                  file, fmt::join(image.ChannelNames(), ", ")));
     return images[key] = map;
+}
+
+/// The picture, or what floats are read from; nullptr after an error.
+std::shared_ptr<const MIPMap> GetImage(TextureBuilder &builder, bool wantsFloat) {
+    ParamDict &params = builder.params;
+    const std::string file = params.GetFileName("filename");
+    const std::optional<ColorEncoding> encoding = GetEncoding(params);
+    if (file.empty()) {
+        params.Error("filename", fmt::format("{} needs \"string filename\", a picture's file name",
+                                             params.What()));
+        return nullptr;
+    }
+    const std::string key = fmt::format(
+        "{}|{}", file, encoding ? fmt::format("{} {}", int(encoding->kind), encoding->gamma) : "");
+    Images &images = builder.named.images;
+    if (const auto known = FindImage(images, key, wantsFloat)) return *known;
+    return AddImage(params, file, encoding, wantsFloat, key, images);
 }
 
 std::optional<ImageLookup> CreateLookup(TextureBuilder &builder, bool wantsFloat) {
