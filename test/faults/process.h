@@ -12,16 +12,11 @@ namespace pbrt::test {
 /// What a process is denied.
 struct Limits {
     uint64_t addressSpace = 0;  ///< bytes, RLIMIT_AS; 0: no limit. Nothing for sanitizers
-<<<<<<< HEAD
-    int threads = 0;       ///< RLIMIT_NPROC, the first one too; 0: no limit. See CanLimitThreads
-    std::string out = {};  ///< file that standard output goes to; empty: Outcome::said
-    std::string err = {};  ///< as `out`, of standard error
-    int ignored = 0;       ///< a signal that it starts with ignoring
-=======
     int threads = 0;        ///< RLIMIT_NPROC, the first one too; 0: no limit. See CanLimitThreads
-    std::string out;        ///< file that standard output goes to; empty: Outcome::said
+    std::string out = {};   ///< file that standard output goes to; empty: Outcome::said
     uint64_t fileSize = 0;  ///< bytes, RLIMIT_FSIZE; 0: no limit
->>>>>>> readers
+    std::string err = {};   ///< as `out`, of standard error
+    int ignored = 0;        ///< a signal that it starts with ignoring
 };
 
 /// How a process ended.
@@ -43,11 +38,8 @@ class Process {
     Process &operator=(const Process &) = delete;
 
     void Signal(int number) const;
-<<<<<<< HEAD
     /// Waits until it has a handler for the signal; false where none comes.
     bool Catches(int number) const;
-=======
->>>>>>> readers
     /// Waits for its end; after `longest` it is killed.
     Outcome Wait(std::chrono::seconds longest = std::chrono::seconds(60));
     /// Whether it has said `text` within `longest`.
