@@ -14,9 +14,9 @@ struct Limits {
     uint64_t addressSpace = 0;  ///< bytes, RLIMIT_AS; 0: no limit. Nothing for sanitizers
     int threads = 0;        ///< RLIMIT_NPROC, the first one too; 0: no limit. See CanLimitThreads
     std::string out = {};   ///< file that standard output goes to; empty: Outcome::said
+    uint64_t fileSize = 0;  ///< bytes, RLIMIT_FSIZE; 0: no limit
     std::string err = {};   ///< as `out`, of standard error
     int ignored = 0;        ///< a signal that it starts with ignoring
-    uint64_t fileSize = 0;  ///< bytes, RLIMIT_FSIZE; 0: no limit
 };
 
 /// How a process ended.

@@ -61,12 +61,16 @@ TEST_F(FaultsOfSignals, HangingUpIsIgnoredUnderNohup) {
 TEST_F(FaultsOfSignals, OneEndsWaitingForAReader) {
     PutScene("Shape \"sphere\"");
     ASSERT_EQ(mkfifo(Path("out.pfm").c_str(), 0600), 0);
+    setenv("TMPDIR", folder.c_str(), 1);  // where the picture is kept
     Process pbrt("pbrt", {"scene.pbrt", "--outfile", "out.pfm"}, folder);
+    unsetenv("TMPDIR");
     ASSERT_TRUE(pbrt.Says("done"));
     std::this_thread::sleep_for(500ms);  // for it to open the file
     pbrt.Signal(SIGTERM);
     const Outcome outcome = pbrt.Wait(20s);
     EXPECT_EQ(outcome.exitCode, 128 + SIGTERM) << outcome.said;
+    EXPECT_NE(outcome.said.find("the picture is " + Path("pbrt-")), std::string::npos)
+        << outcome.said;
 }
 
 /// A FIFO whose reader is asleep.

@@ -33,7 +33,7 @@ struct Reader {
     }
     void Take(std::string_view word, int line) {
         const std::optional<float> number = ParseFinite(word);
-        if (!number) return Fail(line, "\"" + Shortened(word) + "\" is not a number");
+        if (!number) return Fail(line, fmt::format("\"{}\" is not a number", Shortened(word)));
         if (points.lambda.size() > points.values.size()) {
             points.values.push_back(*number);
         } else if (!points.lambda.empty() && *number <= points.lambda.back()) {
