@@ -70,6 +70,25 @@ TEST_F(BsdfTool, MaterialsComeFromSceneFilesToo) {
               "Error: cannot read \"" + Path("none.pbrt") + "\": No such file or directory\n");
 }
 
+TEST_F(BsdfTool, ATextMayBeLongerThanAnyFileName) {
+    std::string text = "Material \"featherbarbule\" \"spectrum melanin\" [";
+    for (int lambda = 380; lambda <= 770; lambda += 10)
+        text += " " + std::to_string(lambda) + " .01";
+    ASSERT_GT(text.size(), 255u);
+    EXPECT_NE(Succeed({"spectrum", text + " ]", "--thetas", "0", "--samples", "16"}), "");
+    // Beyond what a path may have, too, and without a blank.
+    EXPECT_EQ(Fail({"furnace", std::string(10000, 'x')}).find("Error: cannot read \"xxx"), 0u);
+    EXPECT_LT(Fail({"furnace", "Shape \"" + std::string(10000, 'x') + "\""}).size(), 300u);
+}
+
+TEST_F(BsdfTool, NaNIsNoNumberOfAnOption) {
+    EXPECT_EQ(
+        Fail({"spectrum", kFeather, "--step", "nan"}),
+        "bsdftool spectrum: --step: nan is no number\n(\"bsdftool spectrum --help\" lists the "
+        "options)\n");
+    EXPECT_NE(Fail({"spectrum", kFeather, "--thetas", "nan"}), "");
+}
+
 TEST_F(BsdfTool, BadNumbersAndOutputsAreRefused) {
     EXPECT_EQ(Fail({"furnace", kFeather, "--thetas", "0,x"}),
               "Error: --thetas: \"x\" is not a number\n");

@@ -1,7 +1,11 @@
+#include <cmath>
+#include <random>
 #include <regex>
+#include <sstream>
 
 #include "bsdftool/tool_test.h"
 #include "feather/model.h"
+#include "pbrt/bsdftool/directions.h"
 #include "pbrt/bsdftool/evaluation.h"
 
 namespace pbrt::bsdftool {
@@ -175,6 +179,30 @@ TEST_F(Eval, EveryBadLineIsNamed) {
               "Error: " + Path("none.csv") + ": cannot be opened: No such file or directory\n");
     EXPECT_EQ(Fail({"eval", kFeather, "--directions", SomePairs(), "--wavelengths", "450,300"}),
               "Error: --wavelengths: 300 is outside [360, 830]\n");
+}
+
+TEST_F(Eval, DamagedFilesAreReadOrRefused) {
+    const std::string good =
+        "wo_x,wo_y,wo_z,wi_x,wi_y,wi_z\n0,3e200,4e200,3e-200,0,4e-200\n"
+        "0.1,-0.2,1,0,+0.5,1\n\n-1,2,3,4,5,6\n";
+    std::mt19937 random(7);
+    for (int i = 0; i < 2000; ++i) {
+        std::string bad = good;
+        for (int k = 0; k < 1 + i % 3; ++k)
+            bad[random() % bad.size()] ^= char(1 + random() % 255);
+        if (i % 4 == 0) bad.resize(random() % bad.size());
+        Put("bad.csv", bad);
+        Diagnostics log;
+        for (const DirectionPair &pair : ReadDirections(Path("bad.csv"), log))
+            for (const LocalDirection &w : {pair.wo, pair.wi})
+                // Three roundings of components, three of the length.
+                EXPECT_NEAR(std::hypot(w.x, w.y, w.z), 1, 6e-16);
+    }
+}
+
+TEST_F(Eval, MessagesShowNoLongLines) {
+    const std::string file = Pairs(std::string(1 << 20, '1') + "\n");
+    EXPECT_LT(Fail({"eval", kFeather, "--directions", file}).size(), file.size() + 150);
 }
 
 TEST_F(Eval, HugeAndTinyVectorsAreDirections) {

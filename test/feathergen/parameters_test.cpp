@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
 #include <set>
 
 #include "grow_test.h"
@@ -105,6 +106,43 @@ TEST_F(CommandLine, MistakesNameTheOption) {
               "feathergen: barb_count, quads_along and quads_across make 48000000 quads a feather, "
               "above 10000000\n");
     EXPECT_FALSE(std::filesystem::exists(out)) << "nothing is written after a mistake";
+}
+
+TEST_F(CommandLine, MessagesShowNoLongOrDeepValues) {
+    const auto fail = [&](const std::string &json) {
+        Put("p.json", json);
+        return Fail({"--params", Path("p.json"), "--print-preset"});
+    };
+    const std::string before = "feathergen: --params: " + Path("p.json") + ": ";
+    const std::string deep = std::string(100000, '[') + std::string(100000, ']');
+    EXPECT_EQ(fail("{\"jitter\": " + deep + "}"),
+              before + "\"jitter\" is an array: expected a number\n");
+    EXPECT_EQ(fail("{\"jitter\": {\"a\": 1}}"),
+              before + "\"jitter\" is an object: expected a number\n");
+    EXPECT_EQ(fail("{\"jitter\": \"much\"}"),
+              before + "\"jitter\" is \"much\": expected a number\n");
+    const std::string word(100000, 'x');
+    for (const std::string &json :
+         {"{\"jitter\": \"" + word + "\"}", "{\"" + word + "\": 1}", "{\"" + word + "\": []}",
+          "{\"" + word, "{\"jitter\": " + std::string(100000, '[')})
+        EXPECT_LT(fail(json).size(), before.size() + 300) << json.substr(0, 20);
+    EXPECT_NE(fail(std::string(1000001, ' ')).find("more than 1.0 MB"), std::string::npos);
+}
+
+TEST_F(CommandLine, DamagedParametersAreReadOrRefused) {
+    const std::string good = ToJson(Parameters());
+    std::mt19937 random(6);
+    for (int i = 0; i < 2000; ++i) {
+        std::string bad = good;
+        for (int k = 0; k < 1 + i % 3; ++k)
+            bad[random() % bad.size()] ^= char(1 + random() % 255);
+        if (i % 4 == 0) bad.resize(random() % bad.size());
+        Parameters parameters;
+        const std::string problem = FromJson(bad, &parameters);
+        EXPECT_TRUE(problem.empty() || parameters == Parameters());
+        for (const ParameterRow &row : ParameterTable())
+            EXPECT_TRUE(parameters.*row.value >= row.lo && parameters.*row.value <= row.hi);
+    }
 }
 
 TEST_F(CommandLine, AllFilesOrNone) {

@@ -6,7 +6,7 @@
 #include "image/pictures.h"
 #include "image/sample_files.h"
 #include "pbrt/image/image.h"
-#include "pbrt/util/atomic_file.h"
+#include "pbrt/util/read_file.h"
 #include "support/temp_folder.h"
 
 namespace pbrt {
@@ -70,6 +70,20 @@ TEST_F(Damaged, FlippedBytesNeverCrash) {
                 EXPECT_TRUE(image.error.starts_with(Path("a") + ": ")) << image.error;
         }
     }
+}
+
+TEST_F(Damaged, JpegsOfManyScansAreRefused) {
+    // Each coefficient by itself, and of each the low bits one by one: 63 x bits + 1 scans of gray.
+    const auto scans = [](int bits) {
+        std::vector<jpeg_scan_info> all{{1, {0}, 0, 0, 0, 0}};
+        for (int k = 1; k < 64; ++k)
+            for (int bit = bits - 1; bit >= 0; --bit)
+                all.push_back({1, {0}, k, k, bit == bits - 1 ? 0 : bit + 1, bit});
+        return SampleJpeg(40, 30, true, true, all);
+    };
+    EXPECT_TRUE(Read(scans(7)));                     // 442
+    const std::string error = Read(scans(9)).error;  // 568
+    EXPECT_NE(error.find("more than 500 scans"), std::string::npos) << error;
 }
 
 TEST_F(Damaged, AbsurdSizesAreRefusedBeforeMemoryIsTaken) {

@@ -3,13 +3,16 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <vector>
 // jpeglib.h needs size_t and FILE before it.
 #include <jpeglib.h>
 
 namespace pbrt {
 
 /// A smooth JPEG of quality 95: red grows with x, green with y, blue is 128; gray: grows with x.
-inline std::string SampleJpeg(int width, int height, bool gray, bool progressive = false) {
+/// `scans`: how a progressive file is cut up, or empty.
+inline std::string SampleJpeg(int width, int height, bool gray, bool progressive = false,
+                              const std::vector<jpeg_scan_info> &scans = {}) {
     jpeg_compress_struct info{};
     jpeg_error_mgr errors{};
     info.err = jpeg_std_error(&errors);
@@ -24,6 +27,7 @@ inline std::string SampleJpeg(int width, int height, bool gray, bool progressive
     jpeg_set_defaults(&info);
     jpeg_set_quality(&info, 95, TRUE);
     if (progressive) jpeg_simple_progression(&info);
+    if (!scans.empty()) info.scan_info = scans.data(), info.num_scans = int(scans.size());
     jpeg_start_compress(&info, TRUE);
     for (int y = 0; y < height; ++y) {
         std::string row;

@@ -57,6 +57,23 @@ TEST(LightTree, SixteenReceiversAreServedAsEachAlone) {
     }
 }
 
+TEST(LightTree, TakesLightsAtTheEndOfTheFloats) {
+    std::vector<LightBounds> lights = RandomLights(40, 2, 11);
+    for (size_t i = 0; i < lights.size(); i += 2) {
+        const float far = i % 4 == 0 ? 3e38f : -3e38f;  // apart by more than a float
+        lights[i].bounds = {{far, far, far}, {far, far, far}};
+    }
+    const LightTree tree(lights);
+    Rng rng(12);
+    for (int round = 0; round < 300; ++round) {
+        const WideLightSampleContext ctx = RandomReceivers(rng, 3);
+        WideFloat u;
+        for (int i = 0; i < kWide; ++i)
+            u[i] = rng.Uniform();
+        ExpectAsEachAlone(tree, ctx, u, kAllLanes);
+    }
+}
+
 TEST(LightTree, ProbabilitiesAreThoseOfTheDraws) {
     Rng rng(2);
     for (auto [n, decades] : {std::pair(7, 0.f), std::pair(100, 3.f), std::pair(1500, 14.f)}) {

@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-#include "pbrt/util/atomic_file.h"
+#include "pbrt/util/read_file.h"
 #include "ptex/samples.h"
 #include "support/temp_folder.h"
 

@@ -1,10 +1,13 @@
 // Include, Import, compressed files and standard input.
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <zlib.h>
 
 #include <cstdio>
 #include <fstream>
+#include <random>
+#include <thread>
 
 #include "pbrt/scene/scene_file.h"
 #include "scene/parse.h"
@@ -234,6 +237,32 @@ TEST(Gunzip, RefusesDamagedData) {
     }
     EXPECT_EQ(why, "the compressed data is damaged (incorrect length check)");
     EXPECT_FALSE(Gunzip(whole + "more", why));
+}
+
+TEST(Gunzip, FlippedBytesAreReadOrRefused) {
+    std::string text;
+    for (int i = 0; i < 300; ++i)
+        text += std::to_string(i * 7919 % 1009) + ' ';
+    const std::string whole = Gzip(text);
+    std::mt19937 random(5);
+    for (int i = 0; i < 2000; ++i) {
+        std::string damaged = whole, why;
+        for (int k = 0; k < 1 + i % 3; ++k)
+            damaged[random() % damaged.size()] ^= char(1 + random() % 255);
+        const auto read = Gunzip(damaged, why);
+        EXPECT_NE(read.has_value(), !why.empty());
+        // What passes unseen is in the header: a name, a time.
+        EXPECT_EQ(read.value_or(text), text);
+    }
+}
+
+TEST_F(SceneFiles, PipesOfTheCommandLineAreRead) {
+    ASSERT_EQ(mkfifo(Path("pipe").c_str(), 0600), 0);
+    std::thread writer([&] { std::ofstream(Path("pipe")) << "WorldBegin Shape \"a\""; });
+    const auto parsed = ParseAll({Path("pipe")});
+    writer.join();
+    EXPECT_EQ(parsed->Messages(), Texts{});
+    EXPECT_EQ(parsed->scene.shapes.size(), 1u);
 }
 
 TEST(Paths, FolderOfIsWhatPrecedesTheLastSlash) {

@@ -3,6 +3,9 @@
 #include "pbrt/shapes/ply.h"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <cstdlib>
 
 #include "pbrt/util/rng.h"
 #include "shapes/make.h"
@@ -264,9 +267,12 @@ TEST_F(Ply, DamagedFilesSayWhatIsWrong) {
         {zipped.substr(0, zipped.size() / 2), "its gzip data end early"},
         {flipped, "its gzip data are damaged: "},
         {Gzipped(head("element vertex 3", "element vertex 4000000000")),
-         "ends in vertex 4 of 4000000000"},
+         "is too short: 4000000000 x \"vertex\" need at least 24000000000 bytes, 268435"},
         {Gzipped(head("element face 1", "element face 4000000000")),
-         "ends in face 1 of 4000000000"}};
+         "is too short: 4000000000 x \"face\" need at least 8000000000 bytes, 268435"},
+        {Gzipped(head("element vertex 3", "element vertex 4000000")),
+         "ends in vertex 4 of 4000000"},
+        {Gzipped(head("element face 1", "element face 4000000")), "ends in face 1 of 4000000"}};
     for (const Damage &d : cases) {
         const auto read = Read(d.bytes);
         if (d.problem.empty()) {
@@ -304,7 +310,49 @@ TEST_F(Ply, MissingFilesAndFolders) {
     EXPECT_FALSE(ReadPly(Path("missing.ply"), &problem));
     EXPECT_EQ(problem, "cannot be opened: No such file or directory");
     EXPECT_FALSE(ReadPly(folder.string(), &problem));
-    EXPECT_EQ(problem, "is a folder");
+    EXPECT_EQ(problem, "cannot be opened: Is a directory");
+    EXPECT_FALSE(ReadPly("/dev/zero", &problem));
+    EXPECT_EQ(problem, "cannot be opened: it is a device; expected a file");
+    ASSERT_EQ(mkfifo(Path("pipe.ply").c_str(), 0600), 0);
+    EXPECT_FALSE(ReadPly(Path("pipe.ply"), &problem));
+    EXPECT_EQ(problem, "cannot be opened: it is a pipe; expected a file");
+}
+
+TEST_F(Ply, FaceIndicesAreInts) {
+    const auto withIndex = [&](const char *type, const std::string &index) {
+        return Read(std::string("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+                                "property float y\nproperty float z\nelement face 1\n"
+                                "property list uchar int vertex_indices\nproperty ") +
+                    type + " face_indices\nend_header\n0 0 0 1 0 0 0 1 0 3 0 1 2 " + index + "\n");
+    };
+    for (const char *good : {"-2147483648", "2147483647", "0"}) {
+        const auto read = withIndex("double", good);
+        ASSERT_TRUE(read) << problem;
+        EXPECT_EQ(read->triangleFaces, std::vector<int>{std::atoi(good)});
+    }
+    for (const char *bad : {"1e300", "-1e300", "nan", "inf", "2147483648", "0.5"}) {
+        EXPECT_FALSE(withIndex("double", bad)) << bad;
+        EXPECT_NE(problem.find("face_indices of face 0 is "), std::string::npos) << problem;
+    }
+    EXPECT_FALSE(withIndex("uint", "4294967295"));
+}
+
+TEST_F(Ply, BombsAreRefused) {
+    // One list of 280 MB of zeros, packed 1000 times: beyond 256 MiB and 200 times.
+    constexpr uint32_t kBlock = 1'000'000, kBlocks = 280;
+    std::string head =
+        "ply\nformat binary_little_endian 1.0\nelement junk 1\nproperty list uint uchar a\n"
+        "element vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+        "element face 0\nproperty list uchar int vertex_indices\nend_header\n";
+    for (int i = 0; i < 4; ++i)
+        head += char(kBlock * kBlocks >> 8 * i);
+    std::string file = Gzipped(head);
+    const std::string block = Gzipped(std::string(kBlock, '\0'));
+    for (uint32_t i = 0; i < kBlocks; ++i)
+        file += block;
+    EXPECT_FALSE(Read(file + Gzipped(std::string(12, '\0'))));
+    EXPECT_NE(problem.find("unpacks to more than 268 MB and 200 times its size"), std::string::npos)
+        << problem;
 }
 
 TEST_F(Ply, MeshesMakeOneShapeForEachKindOfFace) {

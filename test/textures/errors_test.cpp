@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "support/temp_folder.h"
 #include "textures/texture_scene.h"
 
@@ -38,6 +40,24 @@ TEST(TextureErrors, OneMistakeIsOneMessage) {
                          "Texture \"b\" \"spectrum\" \"scale\" \"texture tex\" \"a\""),
               "t.pbrt:2:1: unknown texture class \"marble\". Known: \"checkerboard\", "
               "\"constant\", \"imagemap\", \"mix\", \"ptex\" or \"scale\"\n");
+}
+
+TEST(TextureErrors, TexturesOfVeryManyAreRefused) {
+    // Each of two of the one before: 2^i look-ups.
+    std::string doubled = "Texture \"0\" \"float\" \"checkerboard\"\n";
+    for (int i = 1; i <= 20; ++i)
+        doubled += fmt::format(
+            "Texture \"{}\" \"float\" \"scale\" \"texture tex\" \"{}\" \"texture scale\" \"{}\"\n",
+            i, i - 1, i - 1);
+    EXPECT_EQ(MessagesOf(doubled).substr(0, 57),  // 2^10 - 1 and itself
+              "t.pbrt:11:1: texture \"9\" is made of more than 1000 others");
+    std::string nested = "Texture \"0\" \"float\" \"checkerboard\"\n";
+    for (int i = 1; i <= 1100; ++i)
+        nested += fmt::format(
+            "Texture \"{}\" \"float\" \"scale\" \"texture tex\" \"{}\" \"float scale\" 2\n", i,
+            i - 1);
+    EXPECT_EQ(MessagesOf(nested),
+              "t.pbrt:1002:1: texture \"1000\" is made of more than 1000 others\n");
 }
 
 TEST(TextureErrors, ParametersAreChecked) {

@@ -29,6 +29,44 @@ TEST(Diagnostics, ImmediateRepetitionsAreOneMessage) {
     EXPECT_EQ(log.Messages().size(), 3u);
 }
 
+TEST(Diagnostics, WarnsOnceOfTheSameWhereverItIsMet) {
+    Diagnostics log;
+    log.WarningOnce({"a.pbrt", 3, 7}, "one");
+    log.WarningOnce({"a.pbrt", 4, 7}, "two");
+    log.WarningOnce({"a.pbrt", 5, 7}, "one");
+    ASSERT_EQ(log.Messages().size(), 2u);
+    EXPECT_EQ(log.Messages()[0].text, "a.pbrt:3:7: one");
+    log.Warning({"a.pbrt", 6, 7}, "one");
+    EXPECT_EQ(log.Messages().size(), 3u);
+    EXPECT_EQ(log.ErrorCount(), 0);
+}
+
+TEST(Diagnostics, LongMessagesLoseTheirMiddle) {
+    Diagnostics log;
+    log.Error({"a.pbrt", 3, 7}, "begin " + std::string(1 << 20, 'x') + " end");
+    const std::string &text = log.Messages()[0].text;
+    EXPECT_TRUE(text.starts_with("a.pbrt:3:7: begin xxx") && text.ends_with("xxx end")) << text;
+    EXPECT_LE(text.size(), 2000u);
+}
+
+TEST(Diagnostics, NothingInAMessageSteersATerminal) {
+    Diagnostics log;
+    log.Error({"a\033[2J.pbrt", 1, 1}, "\a\033]0;title\a is no name\nexpected one");
+    EXPECT_EQ(log.Messages()[0].text, "a?[2J.pbrt:1:1: ??]0;title? is no name\nexpected one");
+}
+
+TEST(Shortened, KeepsBothEnds) {
+    EXPECT_EQ(Shortened("abc", 3), "abc");
+    EXPECT_EQ(Shortened("0123456789abcdef", 15), "01234 ... bcdef");
+    EXPECT_EQ(Shortened(std::string(100, 'x')).size(), 59u);
+    EXPECT_EQ(Shortened("abcdefgh", 2), " ... ");
+}
+
+TEST(NearestName, LongNamesAreNotCompared) {
+    constexpr std::array<std::string_view, 1> kNames{"float"};
+    EXPECT_EQ(NearestName("float" + std::string(1 << 24, 't'), kNames), "");
+}
+
 TEST(NearestName, CountsEditsAndSwapsOfNeighbours) {
     constexpr std::array<std::string_view, 4> kNames{"float", "roughness", "Film", "seed"};
     EXPECT_EQ(NearestName("flot", kNames), "float");

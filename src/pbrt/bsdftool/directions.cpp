@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "pbrt/bsdftool/csv.h"
-#include "pbrt/util/atomic_file.h"
+#include "pbrt/util/read_file.h"
 
 namespace pbrt::bsdftool {
 namespace {
@@ -47,7 +47,7 @@ std::optional<std::array<double, 6>> SixNumbers(std::string_view line) {
 }  // namespace
 
 std::vector<DirectionPair> ReadDirections(const std::string &fileName, Diagnostics &log) {
-    const FileContents file = ReadWholeFile(fileName);
+    const FileContents file = ReadWholeFile(fileName, Pipes::Taken);
     if (!file.bytes) {
         log.Error({}, file.error);
         return {};
@@ -63,7 +63,7 @@ std::vector<DirectionPair> ReadDirections(const std::string &fileName, Diagnosti
         const FileLoc loc{fileName, int(i) + 1, 1};
         const auto values = SixNumbers(lines[i]);
         if (!values) {
-            log.Error(loc, fmt::format("expected six numbers, found \"{}\"", lines[i]));
+            log.Error(loc, fmt::format("expected six numbers, found \"{}\"", Shortened(lines[i])));
             continue;
         }
         const auto wo = Normalized(values->data(), "wo", loc, log);

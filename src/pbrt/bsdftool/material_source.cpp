@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <system_error>
+#include <tuple>
 
 #include "pbrt/materials/mix.h"
 #include "pbrt/scene/parser.h"
@@ -37,7 +39,8 @@ std::vector<Candidate> MaterialsOf(const Description &scene) {
 
 /// Text has blanks or quotes, or it could be no directive; everything else is meant as a file.
 bool IsFileName(const std::string &source) {
-    return std::filesystem::is_regular_file(source) ||
+    std::error_code noName;  // text may be longer than any name
+    return std::filesystem::is_regular_file(source, noName) ||
            source.find_first_of(" \t\n\"") == std::string::npos;
 }
 
@@ -57,7 +60,7 @@ std::optional<Candidate> Choose(const std::vector<Candidate> &all, const std::st
     if (all.empty()) {
         log.Error({}, fmt::format("no material in \"{}\": give a directive such as 'Material "
                                   "\"featherbarbule\"', or a scene file",
-                                  source));
+                                  Shortened(source)));
         return {};
     }
     if (pick.empty()) return all.front();

@@ -7,12 +7,16 @@
 #include <vector>
 
 #include "pbrt/cli/help.h"
+#include "pbrt/cli/main.h"
 #include "pbrt/util/args.h"
 #include "pbrt/util/diagnostics.h"
 #include "pbrt/util/upstream.h"
+#include "pbrt/util/write_all.h"
 
 namespace pbrt::cli {
 namespace {
+
+constexpr size_t kLongestMessage = 10000;
 
 std::string Manual(const Tool &tool) {
     std::string text = fmt::format("usage: {} {}\n\n", tool.name, tool.usage);
@@ -27,7 +31,7 @@ Outcome UnknownCommand(const Tool &tool, std::string_view name) {
     for (const Command &command : tool.commands)
         names.push_back(command.name);
     const std::string upstream = PbrtHasIt(fmt::format("command of {}", tool.name), name);
-    return Failure(tool.name, fmt::format("unknown command \"{}\"{}\nexpected {}", name,
+    return Failure(tool.name, fmt::format("unknown command \"{}\"{}\nexpected {}", Shortened(name),
                                           upstream.empty() ? DidYouMean(name, names) : upstream,
                                           QuotedList(names)));
 }
@@ -60,19 +64,21 @@ Outcome Run(const Tool &tool, Args args) {
 }
 
 Outcome Failure(std::string_view tool, std::string_view reason) {
-    return {1, {}, fmt::format("{}: {}\n", tool, reason)};
+    return {1, {}, fmt::format("{}: {}\n", tool, Shortened(reason, kLongestMessage))};
 }
 
 std::optional<Outcome> Parse(CLI::App *app, Args args) {
     app->set_help_flag("--help", "print this");
     app->set_version_flag("--version", Version(), "print the version");
+    const std::string footer = app->get_footer();
+    app->footer(fmt::format("{}{}{}\n", footer, footer.empty() ? "" : "\n", kMemoryLimitHelp));
     LastOnesCount(app);
     NormalizedArgs normalized = NormalizeArgs(args, ArgOptionsOf(*app));
     const auto mistake = [&](std::string_view text) {
         return Outcome{1,
                        {},
                        fmt::format("{}: {}\n(\"{} --help\" lists the options)\n", app->get_name(),
-                                   text, app->get_name())};
+                                   Shortened(text, kLongestMessage), app->get_name())};
     };
     const std::string upstream =
         PbrtHasIt(fmt::format("option of {}", app->get_name()), normalized.unknown);
@@ -92,9 +98,11 @@ std::optional<Outcome> Parse(CLI::App *app, Args args) {
 }
 
 int Print(const Outcome &outcome) {
-    std::fputs(outcome.out.c_str(), stdout);
     std::fputs(outcome.err.c_str(), stderr);
-    return outcome.exitCode;
+    const auto why = WriteStandardOutput(outcome.out);
+    if (!why) return outcome.exitCode;
+    std::fprintf(stderr, "%s\n", why->c_str());
+    return std::max(outcome.exitCode, 1);
 }
 
 }  // namespace pbrt::cli

@@ -41,7 +41,7 @@ Outcome Failure(std::string_view tool, std::string_view reason);
 /// version, or a mistake.
 std::optional<Outcome> Parse(CLI::App *app, Args args);
 
-/// Prints it; the result is main's.
+/// Prints it; the result is main's: 1 where standard output takes less than all of it.
 int Print(const Outcome &outcome);
 
 }  // namespace pbrt::cli

@@ -3,25 +3,28 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <atomic>
-#include <csignal>
+#include <algorithm>
+#include <chrono>
 #include <filesystem>
+#include <functional>
 
+#include "pbrt/cli/interrupts.h"
+#include "pbrt/cli/main.h"
 #include "pbrt/cli/options.h"
+#include "pbrt/cli/threads.h"
 #include "pbrt/cli/tool.h"
 #include "pbrt/cpu/build.h"
 #include "pbrt/cpu/mse_log.h"
 #include "pbrt/cpu/progress.h"
 #include "pbrt/cpu/statistics.h"
 #include "pbrt/util/atomic_file.h"
+#include "pbrt/util/say.h"
+#include "pbrt/util/write_all.h"
 
 namespace pbrt {
 namespace {
 
-constexpr int kSuccess = 0, kUserError = 1, kInterrupted = 130;
-
-// A signal handler can reach nothing else.
-volatile std::sig_atomic_t interrupted = 0;
+constexpr int kSuccess = 0, kUserError = 1;
 
 struct Arguments {
     std::vector<std::string> files;
@@ -74,12 +77,23 @@ void DefineOptions(CLI::App &app, Arguments &a, std::vector<float> &crop, std::v
         "  pbrt --target-error 0.02 --spp 4096 --stats scene.pbrt\n");
 }
 
+int Complain(const std::string &why) {
+    Say(fmt::format("Error: {}\n", why));
+    return kUserError;
+}
+
+/// Prints on standard output; the exit code.
+int PrintOut(std::string_view text) {
+    const auto why = WriteStandardOutput(text);
+    return why ? Complain(*why) : kSuccess;
+}
+
 struct ParsedArguments {
     Arguments arguments;
     std::optional<int> exitCode;
 };
 
-ParsedArguments ParseArguments(int argc, char **argv) {
+ParsedArguments ParseArguments(cli::Args words) {
     ParsedArguments result;
     Arguments &a = result.arguments;
     CLI::App app{"pbrt-feather: a spectral path tracer for iridescent feathers", "pbrt"};
@@ -87,7 +101,6 @@ ParsedArguments ParseArguments(int argc, char **argv) {
     std::vector<int> bounds, pixel;
     int spp = 0;
     DefineOptions(app, a, crop, bounds, pixel, spp);
-    const std::vector<std::string> words(argv + 1, argv + argc);
     if (const auto end = cli::Parse(&app, words)) {
         result.exitCode = cli::Print(*end);
         return result;
@@ -109,10 +122,10 @@ void Print(const Diagnostics &log, bool quiet) {
     for (const Message &m : log.Messages()) {
         const bool error = m.severity == Severity::Error;
         if ((quiet && !error) || ++count > kMost) continue;
-        fmt::print(stderr, "{}{}{}: {}\n", color ? (error ? "\033[1;31m" : "\033[1;33m") : "",
-                   error ? "Error" : "Warning", color ? "\033[0m" : "", m.text);
+        Say(fmt::format("{}{}{}: {}\n", color ? (error ? "\033[1;31m" : "\033[1;33m") : "",
+                        error ? "Error" : "Warning", color ? "\033[0m" : "", m.text));
     }
-    if (count > kMost) fmt::print(stderr, "... and {} more messages like these.\n", count - kMost);
+    if (count > kMost) Say(fmt::format("... and {} more messages like these.\n", count - kMost));
 }
 
 double Seconds(std::chrono::steady_clock::time_point since) {
@@ -136,7 +149,7 @@ Image Finished(const World &world, const RenderStats &stats) {
 
 void PrintRemarks(const World &world) {
     const auto print = [](const std::string &remarks) {
-        if (!remarks.empty()) fmt::print(stderr, "Warning: {}\n", remarks);
+        if (!remarks.empty()) Say(fmt::format("Warning: {}\n", remarks));
     };
     for (const Material &m : world.materials)
         print(Remarks(m));
@@ -146,13 +159,15 @@ void PrintRemarks(const World &world) {
 
 /// Statistics to where they are wanted; the exit code.
 int Report(const Statistics &s, const Arguments &a) {
-    if (a.stats) fmt::print("{}", StatisticsText(s));
-    if (a.statsFile.empty()) return kSuccess;
-    if (const auto why = WriteFileAtomically(a.statsFile, StatisticsJson(s))) {
-        fmt::print(stderr, "Error: {}\n", *why);
-        return kUserError;
-    }
-    return kSuccess;
+    const int printed = a.stats ? PrintOut(StatisticsText(s)) : kSuccess;
+    if (a.statsFile.empty()) return printed;
+    if (const auto why = WriteFileAtomically(a.statsFile, StatisticsJson(s))) return Complain(*why);
+    return printed;
+}
+
+int Stopped(const cli::Interrupts::Caught &by) {
+    Say(fmt::format("Interrupted by {}: nothing was written.\n", by.name));
+    return by.exitCode;
 }
 
 /// Reports what is wrong with the files that the error is to be told by.
@@ -167,14 +182,10 @@ std::optional<MseLog> OpenMseLog(const World &world, Diagnostics &log) {
 
 int RenderAndWrite(World &world, const Arguments &a, const Times &times,
                    std::optional<MseLog> &mse) {
-    for (const std::string &file : {world.film.FileName(), a.statsFile}) {
-        const auto why = file.empty() ? std::nullopt : WhyNotWritable(file);
-        if (!why) continue;
-        fmt::print(stderr, "Error: {}\n", *why);
-        return kUserError;
-    }
-    std::signal(SIGINT, [](int) { interrupted = 1; });
-    std::signal(SIGTERM, [](int) { interrupted = 1; });
+    for (const std::string &file : {world.film.FileName(), a.statsFile})
+        if (const auto why = file.empty() ? std::nullopt : WhyNotWritable(file))
+            return Complain(*why);
+    const cli::Interrupts interrupts;
     Progress progress("Rendering", a.quiet);
     std::function<void(int)> afterWave;
     if (mse) afterWave = [&](int samples) { mse->Add(world.film, samples); };
@@ -182,35 +193,32 @@ int RenderAndWrite(World &world, const Arguments &a, const Times &times,
         world, a.overrides.nThreads,
         [&](int64_t done, int64_t total) {
             progress.Update(done, total);
-            return interrupted == 0;
+            return !interrupts.First();
         },
         afterWave);
     progress.Finish(stats ? "done" : "stopped");
-    if (!stats) {
-        fmt::print(stderr, "Interrupted: nothing was written.\n");
-        return kInterrupted;
-    }
+    if (!stats) return Stopped(*interrupts.First());
     if (!a.quiet) PrintRemarks(world);
     Image image = Finished(world, *stats);
     if (mse) image.metadata.mse = float(mse->Error());
-    if (const auto why = WriteImage(image, world.film.FileName(), world.film.Format())) {
-        fmt::print(stderr, "Error: {}\n", *why);
-        return kUserError;
+    if (const auto why = WriteImageSomewhere(image, world.film.FileName(), world.film.Format())) {
+        const int failed = Complain(*why);
+        return interrupts.First() ? interrupts.First()->exitCode : failed;
     }
-    if (mse && mse->Problem()) {
-        fmt::print(stderr, "Error: {}\n", *mse->Problem());
-        return kUserError;
-    }
+    if (mse && mse->Problem()) return Complain(*mse->Problem());
     return Report(CollectStatistics(world, *stats, times.parse, times.build), a);
 }
 
-int Main(int argc, char **argv) {
-    const ParsedArguments parsed = ParseArguments(argc, argv);
+int Main(cli::Args words) {
+    ParsedArguments parsed = ParseArguments(words);
     if (parsed.exitCode) return *parsed.exitCode;
-    const Arguments &a = parsed.arguments;
+    Arguments &a = parsed.arguments;
+    const cli::Threads threads = cli::LimitThreads(a.overrides.nThreads);
+    a.overrides.nThreads = threads.count;
 
     Times times;
     Diagnostics log;
+    if (threads.remark) log.Warning({}, *threads.remark);
     Description scene;
     scene.options = a.options;
     auto start = std::chrono::steady_clock::now();
@@ -223,8 +231,8 @@ int Main(int argc, char **argv) {
     if (world) mse = OpenMseLog(*world, log);
     Print(log, a.quiet);
     if (!world || log.HasErrors()) {
-        fmt::print(stderr, "{} error{}; no picture was written.\n", log.ErrorCount(),
-                   log.ErrorCount() == 1 ? "" : "s");
+        Say(fmt::format("{} error{}; no picture was written.\n", log.ErrorCount(),
+                        log.ErrorCount() == 1 ? "" : "s"));
         return kUserError;
     }
     return RenderAndWrite(*world, a, times, mse);
@@ -234,5 +242,5 @@ int Main(int argc, char **argv) {
 }  // namespace pbrt
 
 int main(int argc, char **argv) {
-    return pbrt::Main(argc, argv);
+    return pbrt::cli::Main("pbrt", argc, argv, pbrt::Main);
 }

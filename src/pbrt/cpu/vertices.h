@@ -96,6 +96,8 @@ class Vertices {
     void SetFrames() {
         if constexpr (kIsotropic || (kPlain && !TurnsFrame<M>)) {
             frame = WideFrame::FromZ(sp.ns);
+        } else if constexpr (IsFibre<M>) {
+            frame = sp.FibreFrame(path.d);
         } else {
             frame = sp.ShadingFrame();
             if constexpr (TurnsFrame<M>) TurnFrames();

@@ -44,7 +44,7 @@ double Waves(Vec3d p, double length) {
 int ColorAt(const SurfaceSample &s, const Parameters &p, double length, double jitter) {
     const double way = (s.along + 0.05 * Waves(s.p, length) - p.neckBorder) / p.neckBorderWidth;
     const double color = (kNeckColors - 1) * (way + 0.5) + 0.5 + jitter;
-    return std::clamp(int(std::floor(color)), 0, kNeckColors - 1);
+    return color > 0 ? int(std::min(color, kNeckColors - 1.)) : 0;
 }
 
 Placed Stand(const Seat &seat, Vec3d flow, double pitch) {

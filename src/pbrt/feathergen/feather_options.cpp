@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include "pbrt/cli/options.h"
-#include "pbrt/util/atomic_file.h"
 #include "pbrt/util/diagnostics.h"
 #include "pbrt/util/parse_number.h"
+#include "pbrt/util/read_file.h"
 
 namespace pbrt::feathergen {
 namespace {
+
+/// All parameters take some 1.5 kB; parsed, JSON takes up to a hundred times its size.
+constexpr uint64_t kMostJsonBytes = 1000000;
 
 /// `name=value`.
 std::string ApplySetting(const std::string &setting, Parameters *parameters) {
@@ -16,7 +19,7 @@ std::string ApplySetting(const std::string &setting, Parameters *parameters) {
     if (equals != std::string::npos)
         if (const auto value = ParseNumber(std::string_view(setting).substr(equals + 1)))
             return SetParameter(setting.substr(0, equals), *value, parameters);
-    return fmt::format("\"{}\": expected name=number", setting);
+    return fmt::format("\"{}\": expected name=number", Shortened(setting));
 }
 
 }  // namespace
@@ -41,7 +44,7 @@ std::string FeatherOptions::Read(Parameters *parameters) const {
     *parameters = PresetNamed(preset, &problem);
     if (!problem.empty()) return "--preset: " + problem;
     if (!paramsFile.empty()) {
-        const FileContents file = ReadWholeFile(paramsFile);
+        const FileContents file = ReadWholeFile(paramsFile, Pipes::Taken, kMostJsonBytes);
         if (!file.bytes) return "--params: " + file.error;
         problem = FromJson(*file.bytes, parameters);
         if (!problem.empty()) return fmt::format("--params: {}: {}", paramsFile, problem);
@@ -60,7 +63,8 @@ std::string FeatherOptions::Read(Parameters *parameters) const {
         return "--textures: " + UnknownName("kind", textures, kKinds);
     if (out.empty() && !printPreset) return "--out is missing: expected a folder to write to";
     if (out.find('"') != std::string::npos)
-        return fmt::format("--out: \"{}\": scenes cannot name a folder with a quotation mark", out);
+        return fmt::format("--out: \"{}\": scenes cannot name a folder with a quotation mark",
+                           Shortened(out));
     return {};
 }
 

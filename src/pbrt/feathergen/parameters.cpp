@@ -18,6 +18,14 @@ std::vector<std::string_view> ParameterNames() {
     return names;
 }
 
+/// A value that is no number, for a message. Lists and objects by their kind alone: they can be
+/// nested more deeply than a recursion may go.
+std::string Shown(const nlohmann::json &value) {
+    if (value.is_array() || value.is_object()) return fmt::format("an {}", value.type_name());
+    constexpr auto kReplace = nlohmann::json::error_handler_t::replace;
+    return Shortened(value.dump(-1, ' ', false, kReplace));
+}
+
 std::string WithUnit(std::string_view text, std::string_view unit) {
     return unit.empty() ? std::string(text) : fmt::format("{} {}", text, unit);
 }
@@ -40,7 +48,8 @@ std::string SetParameter(std::string_view name, double value, Parameters *parame
         parameters->*row.value = value;
         return {};
     }
-    return fmt::format("unknown parameter \"{}\"{}", name, DidYouMean(name, ParameterNames()));
+    return fmt::format("unknown parameter \"{}\"{}", Shortened(name),
+                       DidYouMean(name, ParameterNames()));
 }
 
 Parameters PresetNamed(std::string_view name, std::string *problem) {
@@ -80,15 +89,16 @@ std::string FromJson(std::string_view text, Parameters *parameters) {
     try {
         json = nlohmann::json::parse(text);
     } catch (const nlohmann::json::parse_error &e) {
-        return fmt::format("is not JSON: {}", e.what());
+        return fmt::format("is not JSON: {}", Shortened(e.what(), 200));
     }
     if (!json.is_object()) return "expected a JSON object { \"name\": number, ... }";
     Parameters changed = *parameters;
     std::string mistakes;
     for (const auto &[name, value] : json.items()) {
         const std::string mistake =
-            value.is_number() ? SetParameter(name, value.get<double>(), &changed)
-                              : fmt::format("\"{}\" is {}: expected a number", name, value.dump());
+            value.is_number()
+                ? SetParameter(name, value.get<double>(), &changed)
+                : fmt::format("\"{}\" is {}: expected a number", Shortened(name), Shown(value));
         if (mistake.empty()) continue;
         mistakes += (mistakes.empty() ? "" : "\n") + mistake;
     }

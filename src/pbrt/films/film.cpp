@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "pbrt/util/memory.h"
+
 namespace pbrt {
 namespace {
 
@@ -17,7 +19,9 @@ constexpr NumberRow kWhiteBalance{"whitebalance", "K", 0, 0, 25000, "0: none"};
 constexpr NumberRow kDiagonal{"diagonal", "mm", 35, 1e-6f, 1e6f, "of the film"};
 
 PixelBounds Crop(Point2i full, const std::array<float, 4> &c) {
-    const auto edge = [](float f, int n) { return int(std::ceil(std::clamp(f, 0.f, 1.f) * n)); };
+    const auto edge = [](float f, int n) {
+        return int(std::ceil(std::clamp(f, 0.f, 1.f) * float(n)));
+    };
     return {edge(c[0], full.x), edge(c[1], full.x), edge(c[2], full.y), edge(c[3], full.y)};
 }
 
@@ -119,10 +123,23 @@ Film Film::Create(const Description &scene, const FilmOverrides &overrides, Diag
     film.matching = Matching(*film.colorSpace, white);
     const Spectrum &illuminant = film.colorSpace->Illuminant();
     film.illuminant = illuminant.Scaled(1 / SpectrumToPhotometric(illuminant));
-    film.pixels.resize(film.bounds.Area());
-    film.furtherValues.resize(film.pixels.size() * film.furtherChannels.size());
     params.ReportUnused();
+    const PixelBounds &b = film.bounds;
+    if (const auto why = WhyTooLarge(film.BytesFor(b))) {
+        params.Error(fmt::format("a film of {} x {} pixels with {} channels {}", b.Width(),
+                                 b.Height(), 3 + film.furtherChannels.size(), *why));
+        film.bounds = {0, 1, 0, 1};
+    }
+    film.pixels.resize(size_t(film.bounds.Area()));
+    film.furtherValues.resize(film.pixels.size() * film.furtherChannels.size());
     return film;
+}
+
+uint64_t Film::BytesFor(const PixelBounds &b) const {
+    const size_t channels = 3 + furtherChannels.size();
+    const size_t sums = sizeof(Sum) + furtherChannels.size() * sizeof(float);
+    // The picture, a copy in the file's type, the file.
+    return uint64_t(b.Area()) * (sums + channels * 3 * sizeof(float));
 }
 
 SampledSpectrum::Lanes Film::Matched(SampledSpectrum L, const SampledWavelengths &lambda) const {

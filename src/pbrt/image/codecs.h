@@ -22,12 +22,13 @@ OrError<std::string> EncodePfm(const Image &image);
 
 /// Asked before memory is taken for a picture: nullopt where `bytesInFile` may hold width x height
 /// pixels of `channels` values, `bitsPerPixel` before compression, by a format that compresses at
-/// most `maxRatio` times; else the reason. Pictures of more than 2^31 values are refused.
+/// most `maxRatio` times, and where there is memory for it as floats and as bytes of that many
+/// bits; else the reason. Pictures of more than 2^31 values are refused.
 std::optional<std::string> Implausible(double width, double height, double channels,
                                        double bitsPerPixel, double maxRatio, size_t bytesInFile);
 
-/// R G B (and A where `withAlpha`) in sRGB primaries, or the only channel: what formats without
-/// named channels can hold.
+/// The channels of WriteImage's PNG and PFM (and alpha where `withAlpha`), as R G B or Y, then A:
+/// what formats without named channels can hold. Alpha is A, or A of a layer if there is but one.
 OrError<Image> ForDisplay(const Image &image, bool withAlpha);
 
 }  // namespace pbrt

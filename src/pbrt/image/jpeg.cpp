@@ -27,6 +27,8 @@ class JpegReader {
     bool ReadHeader(std::string_view bytes) {
         if (setjmp(errors.jump)) return false;
         jpeg_create_decompress(&info);
+        info.progress = &progress;
+        progress.progress_monitor = OnProgress;
         jpeg_mem_src(&info, reinterpret_cast<const unsigned char *>(bytes.data()), bytes.size());
         jpeg_read_header(&info, TRUE);
         info.out_color_space = info.num_components == 1 ? JCS_GRAYSCALE : JCS_RGB;
@@ -69,7 +71,17 @@ class JpegReader {
             OnError(info);
     }
 
+    /// A progressive file passes over the picture scan by scan: few bytes can ask for thousands.
+    static void OnProgress(j_common_ptr info) {
+        constexpr int kMostScans = 500;
+        if (reinterpret_cast<j_decompress_ptr>(info)->input_scan_number <= kMostScans) return;
+        auto *errors = reinterpret_cast<Errors *>(info->err);
+        std::snprintf(errors->message, sizeof errors->message, "more than %d scans", kMostScans);
+        std::longjmp(errors->jump, 1);
+    }
+
     jpeg_decompress_struct info{};
+    jpeg_progress_mgr progress{};
     Errors errors;
 };
 

@@ -51,7 +51,8 @@ Outcome Check(Args args) {
                    "test too that the hues of two of eight upright strips differ by this many "
                    "degrees at least");
     if (auto end = cli::Parse(&app, args)) return *end;
-    const OrError<Image> image = ReadPart(file, {"R", "G", "B"}, {});
+    std::string remarks;
+    const OrError<Image> image = ReadPart(file, {"R", "G", "B"}, {}, &remarks);
     if (!image) return Failure(image.error);
     double sum = 0;
     for (const float v : image.value->Data()) {
@@ -68,7 +69,7 @@ Outcome Check(Args args) {
     return {
         0,
         fmt::format("{}: finite, mean {:.6g}, hue changes by {:.0f} degrees\n", file, mean, change),
-        {}};
+        remarks};
 }
 
 }  // namespace pbrt::imgtool

@@ -23,6 +23,11 @@ void AddComparison(CLI::App *app, std::string *reference, std::string *metric) {
     app->add_option("--metric", *metric, "MSE (default), MAE or MRSE");
 }
 
+Outcome Remarking(const std::string &remarks, Outcome outcome) {
+    outcome.err.insert(0, remarks);
+    return outcome;
+}
+
 Outcome Write(const Image &image, const std::string &fileName, ExrPixels pixels) {
     if (auto reason = WriteImage(image, fileName, pixels)) return Failure(*reason);
     return {};

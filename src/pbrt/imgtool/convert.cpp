@@ -84,7 +84,8 @@ std::optional<std::string> ToColorSpace(const std::string &name, Image *image) {
 Outcome Convert(Args args) {
     Options o;
     if (auto end = ParseOptions(args, &o)) return *end;
-    OrError<Image> input = ReadPart(o.file, o.channels, o.crop);
+    std::string remarks;
+    OrError<Image> input = ReadPart(o.file, o.channels, o.crop, &remarks);
     if (!input) return Failure(input.error);
     Image image = std::move(*input.value);
 
@@ -105,7 +106,7 @@ Outcome Convert(Args args) {
 
     const bool half =
         o.fp16 || image.metadata.storedAs == "half" || image.metadata.storedAs == "8-bit";
-    return Write(image, o.outfile, half ? ExrPixels::Half : ExrPixels::Float);
+    return Remarking(remarks, Write(image, o.outfile, half ? ExrPixels::Half : ExrPixels::Float));
 }
 
 }  // namespace pbrt::imgtool

@@ -2,6 +2,7 @@
 
 #include "pbrt/cli/options.h"
 #include "pbrt/imgtool/command_line.h"
+#include "pbrt/imgtool/pictures.h"
 #include "pbrt/util/equal_area.h"
 
 namespace pbrt::imgtool {
@@ -57,14 +58,15 @@ Outcome MakeEquiArea(Args args) {
     cli::AddNumber(&app, "--resolution", &resolution, {.lo = 1, .hi = 32768},
                    "pixels along the edge (default: the input's width)");
     if (auto end = cli::Parse(&app, args)) return *end;
-    const OrError<Image> latLong = ReadImage(file);
+    std::string remarks;
+    const OrError<Image> latLong = Read(file, &remarks);
     if (!latLong) return Failure(latLong.error);
     const auto [width, height] = latLong.value->Resolution();
     if (width != 2 * height)
         return Failure(fmt::format("{}: has {} x {} pixels, not twice as many columns as rows",
                                    file, width, height));
-    return Write(EqualArea(*latLong.value, resolution > 0 ? resolution : width), outfile,
-                 ExrPixels::Float);
+    return Remarking(remarks, Write(EqualArea(*latLong.value, resolution > 0 ? resolution : width),
+                                    outfile, ExrPixels::Float));
 }
 
 }  // namespace pbrt::imgtool

@@ -24,6 +24,8 @@ struct ImageInfiniteLight {
     /// finite values (below 0 counts as 0).
     static ImageInfiniteLight FromImage(const Image &image, const RGBColorSpace &colorSpace,
                                         float scale, const Transform &renderFromLight);
+    /// The most memory that FromImage takes, beside the picture.
+    static uint64_t BytesToCreate(const Image &image);
     /// CIE Y that reaches an upward-facing (+z in light space) patch at scale 1.
     static float Illuminance(const Image &image, const RGBColorSpace &colorSpace);
 

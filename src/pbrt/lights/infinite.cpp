@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "pbrt/textures/image_color_space.h"
+#include "pbrt/util/memory.h"
 
 namespace pbrt {
 namespace {
@@ -21,7 +22,8 @@ std::string Unfit(const Image &image) {
             return fmt::format("has no channel {}; an infinite light needs R, G and B", name);
     for (float v : image.Data())
         if (!std::isfinite(v)) return "has pixels that are not finite";
-    return {};
+    const auto why = WhyTooLarge(ImageInfiniteLight::BytesToCreate(image));
+    return why ? fmt::format("as a light {}", *why) : std::string();
 }
 
 }  // namespace
@@ -47,6 +49,8 @@ std::optional<std::variant<UniformInfiniteLight, ImageInfiniteLight>> CreateInfi
         params.Error("filename", image ? fmt::format("\"{}\" {}", file, unfit) : image.error);
         return std::nullopt;
     }
+    if (const std::string &unread = image.value->metadata.unread; !unread.empty())
+        params.WarningOnce("filename", fmt::format("{}: {}", file, unread));
     const RGBColorSpace &space = ColorSpaceOf(*image.value);
     const float illuminance = ImageInfiniteLight::Illuminance(*image.value, space);
     if (scale.target > 0 && !(illuminance > 0)) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace pbrt {
 namespace {
@@ -48,7 +49,7 @@ struct Split {
 void TryAxis(Items items, const Bounds3f &centers, int axis, float slenderness, Split *best) {
     constexpr int kBuckets = 12;
     const float lo = centers.min[axis], width = centers.max[axis] - lo;
-    if (!(width > 0)) return;
+    if (!(width > 0) || !std::isfinite(width)) return;
     std::array<LightBounds, kBuckets> buckets;
     for (const Item &item : items) {
         const int b = int(kBuckets * ((item.center[axis] - lo) / width));

@@ -17,6 +17,10 @@ void ParamDict::Warning(std::string_view name, std::string_view message) {
     diagnostics->Warning(Loc(name), message);
 }
 
+void ParamDict::WarningOnce(std::string_view name, std::string_view message) {
+    diagnostics->WarningOnce(Loc(name), message);
+}
+
 void ParamDict::Error(std::string_view message) {
     diagnostics->Error(directive, message);
 }

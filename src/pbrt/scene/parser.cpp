@@ -12,6 +12,10 @@ namespace {
 
 /// After this many errors a file is no scene, and more messages help nobody.
 constexpr int kMostErrors = 200;
+/// Files that include two others each, a few dozen deep, would otherwise be read for ever; and each
+/// that is open takes a piece of the stack.
+constexpr int kMostIncluded = 100000;
+constexpr size_t kMostOpen = 200;
 
 bool IsName(std::string_view word) {
     return std::isalpha(static_cast<unsigned char>(word[0])) && word != "true" && word != "false";
@@ -40,7 +44,7 @@ Parser::Parser(Description *scene, Diagnostics *log)
 
 void Parser::ReadFile(const std::string &path) {
     const std::string_view name = scene->fileNames.emplace_back(path == "-" ? "<stdin>" : path);
-    const std::optional<std::string> text = ReadFileContents(path, {}, *log);
+    const std::optional<std::string> text = ReadFileContents(path, Pipes::Taken, {}, *log);
     if (!text) {
         allFilesRead = false;
         return;
@@ -139,12 +143,23 @@ bool Parser::ReadNested(const std::string &name, const FileLoc &use) {
     const OpenFile file{path == "-" ? "<stdin>" : path, CanonicalPath(path)};
     for (const OpenFile &f : open)
         if (f.identity == file.identity) return ReportCycle(file, use), false;
-    const std::optional<std::string> text = ReadFileContents(path, use, *log);
+    if (!MayInclude(use)) return false;
+    const std::optional<std::string> text = ReadFileContents(path, Pipes::Refused, use, *log);
     if (!text) return false;
     open.push_back(file);
     ReadTokens(*text, scene->fileNames.emplace_back(file.shown));
     open.pop_back();
     return true;
+}
+
+bool Parser::MayInclude(const FileLoc &use) {
+    if (open.size() >= kMostOpen) {
+        log->Error(use, fmt::format("files include each other more than {} deep", kMostOpen));
+        return false;
+    }
+    if (++included == kMostIncluded + 1)
+        log->Error(use, fmt::format("more than {} files are included", kMostIncluded));
+    return included <= kMostIncluded;
 }
 
 void Parser::ReportCycle(const OpenFile &again, const FileLoc &use) {

@@ -50,6 +50,8 @@ class Parser {
     void Resynchronise();
     /// A file that a directive names: checked, read, parsed. False where it cannot be read.
     bool ReadNested(const std::string &name, const FileLoc &use);
+    /// Counts one more; false, once with an error, where these are too many or too deep.
+    bool MayInclude(const FileLoc &use);
     void ReportCycle(const OpenFile &again, const FileLoc &use);
 
     // Arguments. A wrong one is reported at its place, and the parser resynchronises.
@@ -86,6 +88,7 @@ class Parser {
     int depth = 0;                         ///< open brackets at a failed argument
     std::string dir;                       ///< folder of the top-level file
     std::vector<OpenFile> open;
+    int included = 0;          ///< files that directives named
     FileLoc worldBegin;        ///< line 0 before it
     bool allFilesRead = true;  ///< the top-level ones
     bool saidNotInWorld = false, saidTransformBegin = false;

@@ -3,36 +3,15 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
+#include <algorithm>
 #include <filesystem>
-#include <memory>
 #include <new>
+
+#include "pbrt/util/memory.h"
+#include "pbrt/util/unpacked.h"
 
 namespace pbrt {
 namespace {
-
-struct CloseFile {
-    void operator()(std::FILE *f) const {
-        if (f != stdin) std::fclose(f);
-    }
-};
-
-/// The rest of an open file; empty optional and errno where reading fails.
-std::optional<std::string> ReadAll(std::FILE *f, size_t expectedSize) {
-    std::string bytes;
-    size_t size = 0;
-    bytes.resize(expectedSize + 1);  // one more, so that a last read can see the end
-    for (;;) {
-        size += std::fread(bytes.data() + size, 1, bytes.size() - size, f);
-        if (std::ferror(f)) return {};
-        if (size < bytes.size()) break;
-        bytes.resize(2 * size + 4096);
-    }
-    bytes.resize(size);
-    return bytes;
-}
 
 bool EndsInGz(std::string_view name) {
     if (name.size() < 3) return false;
@@ -47,13 +26,28 @@ struct Inflater {
     ~Inflater() { inflateEnd(&stream); }
 };
 
-/// Inflates what is left of one member, appending to `out`; the zlib status at its end.
-int InflateMember(z_stream &z, std::string_view &in, std::string &out) {
-    constexpr size_t kChunk = 1 << 20;
+/// Room for what is unpacked next; false and `why` where there should be no more.
+bool MakeRoom(std::string &out, size_t packed, std::string &why) {
+    constexpr size_t kChunk = 1 << 20, kWorthAsking = 64 * kChunk;
+    const size_t before = out.size(), after = before + std::max(kChunk, before / 2);
+    if (auto tooLarge = WhyUnpackedTooLarge(before, packed))
+        return why = fmt::format("it {}", *tooLarge), false;
+    // A string that grows may take twice its size while its old bytes are still there.
+    if (after > out.capacity() && after > kWorthAsking)
+        if (auto tooLarge = WhyTooLarge(2 * out.capacity()))
+            return why = fmt::format("it {}", *tooLarge), false;
+    out.resize(after);
+    return true;
+}
+
+/// Inflates what is left of one member, appending to `out`; the zlib status at its end, Z_MEM_ERROR
+/// and `why` where it is too large.
+int InflateMember(z_stream &z, std::string_view &in, size_t packed, std::string &out,
+                  std::string &why) {
     int status = Z_OK;
     while (status == Z_OK) {
         const size_t before = out.size(), given = std::min<size_t>(in.size(), 1u << 30);
-        out.resize(before + std::max(kChunk, before / 2));
+        if (!MakeRoom(out, packed, why)) return Z_MEM_ERROR;
         z.next_in = reinterpret_cast<Bytef *>(const_cast<char *>(in.data()));
         z.avail_in = uInt(given);
         const size_t room = std::min<size_t>(out.size() - before, 1u << 30);
@@ -71,11 +65,13 @@ int InflateMember(z_stream &z, std::string_view &in, std::string &out) {
 std::optional<std::string> Gunzip(std::string_view in, std::string &why) {
     Inflater inflater;
     if (!inflater.ready) return why = "zlib cannot start", std::nullopt;
+    const size_t packed = in.size();
     std::string out;
     bool first = true;
     while (first || in.find_first_not_of('\0') != in.npos) {  // zeros may pad the file's end
         if (!first) inflateReset(&inflater.stream);
-        const int status = InflateMember(inflater.stream, in, out);
+        const int status = InflateMember(inflater.stream, in, packed, out, why);
+        if (status == Z_MEM_ERROR && !why.empty()) return {};
         if (status == Z_BUF_ERROR) return why = "the compressed data is cut short", std::nullopt;
         if (status != Z_STREAM_END) {
             const char *message = inflater.stream.msg;
@@ -88,28 +84,19 @@ std::optional<std::string> Gunzip(std::string_view in, std::string &why) {
     return out;
 }
 
-std::optional<std::string> ReadFileContents(const std::string &path, const FileLoc &use,
-                                            Diagnostics &log) {
-    std::string why;
-    std::optional<std::string> bytes;
-    try {
-        const std::unique_ptr<std::FILE, CloseFile> file(
-            path == "-" ? stdin : std::fopen(path.c_str(), "rb"));
-        if (file) {
-            std::error_code unknownSize;
-            const auto size = std::filesystem::file_size(path, unknownSize);
-            bytes = ReadAll(file.get(), unknownSize ? 4096 : size_t(size));
+std::optional<std::string> ReadFileContents(const std::string &path, Pipes pipes,
+                                            const FileLoc &use, Diagnostics &log) {
+    FileContents file = path == "-" ? ReadStandardInput() : ReadWholeFile(path, pipes);
+    if (file.bytes && EndsInGz(path)) {
+        try {
+            file.bytes = Gunzip(*file.bytes, file.reason);
+        } catch (const std::bad_alloc &) {
+            file.bytes.reset();
+            file.reason = "there is not enough memory for it";
         }
-        if (!bytes)
-            why = std::strerror(errno);
-        else if (EndsInGz(path))
-            bytes = Gunzip(*bytes, why);
-    } catch (const std::bad_alloc &) {
-        bytes.reset();
-        why = "there is not enough memory for it";
     }
-    if (!bytes) log.Error(use, fmt::format("cannot read \"{}\": {}", path, why));
-    return bytes;
+    if (!file.bytes) log.Error(use, fmt::format("cannot read \"{}\": {}", path, file.reason));
+    return std::move(file.bytes);
 }
 
 std::string ResolvePath(std::string_view name, std::string_view dir) {

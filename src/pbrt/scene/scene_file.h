@@ -5,16 +5,17 @@
 #include <string_view>
 
 #include "pbrt/util/diagnostics.h"
+#include "pbrt/util/read_file.h"
 
 namespace pbrt {
 
 /// The bytes of a file, `.gz` (case ignored) decompressed, `-` being standard input. Reading
-/// errors, truncated or damaged compressed data and want of memory are errors at `use`, the place
-/// that asks for the file.
-std::optional<std::string> ReadFileContents(const std::string &path, const FileLoc &use,
-                                            Diagnostics &log);
+/// errors, truncated or damaged compressed data, a size beyond WhyUnpackedTooLarge and want of
+/// memory are errors at `use`, the place that asks for the file.
+std::optional<std::string> ReadFileContents(const std::string &path, Pipes pipes,
+                                            const FileLoc &use, Diagnostics &log);
 
-/// What a gzip file holds, all its members; nullopt and `why` where it is damaged.
+/// What a gzip file holds, all its members; nullopt and `why` where it is damaged or too large.
 std::optional<std::string> Gunzip(std::string_view compressed, std::string &why);
 
 /// `name` inside folder `dir` where such a file exists, else `name` itself (so found from the

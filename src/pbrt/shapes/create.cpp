@@ -3,6 +3,7 @@
 #include <array>
 
 #include "pbrt/shapes/shape.h"
+#include "pbrt/util/range.h"
 
 namespace pbrt {
 namespace {
@@ -26,6 +27,18 @@ constexpr auto kNames = [] {
     return names;
 }();
 
+/// Traversal would leave out what lies too far off.
+std::vector<Shape> InRange(std::vector<Shape> shapes, ParamDict &params) {
+    for (const Shape &shape : shapes) {
+        const Bounds3f b = Bounds(shape);
+        if (b.Empty() || IsInRange(b)) continue;
+        params.Error(fmt::format("{} reaches to {:g}; only coordinates up to {:g} can be traced",
+                                 params.What(), Reach(b), kFarthest));
+        return {};
+    }
+    return shapes;
+}
+
 }  // namespace
 
 std::span<const std::string_view> ShapeNames() {
@@ -36,7 +49,8 @@ std::vector<Shape> CreateShapes(const ShapeEntity &entity, ParamDict &params,
                                 const Transform &renderFromObject) {
     for (const ShapeType &type : kTypes)
         if (type.name == entity.type) {
-            std::vector<Shape> shapes = type.create({entity, params, renderFromObject});
+            std::vector<Shape> shapes =
+                InRange(type.create({entity, params, renderFromObject}), params);
             params.ReportUnused();
             return shapes;
         }

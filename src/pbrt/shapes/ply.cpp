@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "pbrt/shapes/ply_vertices.h"
+#include "pbrt/util/memory.h"
 
 namespace pbrt {
 namespace {
@@ -23,9 +26,10 @@ class PlyReader {
         for (const PlyElement &e : header->elements) {
             bool good;
             if (e.name == "vertex")
-                good = hasVertices = Promised(e) && ReadPlyVertices(e, *values, &mesh, problem);
+                good = hasVertices =
+                    Promised(e) && HasRoom(e) && ReadPlyVertices(e, *values, &mesh, problem);
             else if (e.name == "face")
-                good = hasFaces = Promised(e) && Faces(e);
+                good = hasFaces = Promised(e) && HasRoom(e) && Faces(e);
             else
                 good = Promised(e) && SkipElement(e);
             if (!good) return {};
@@ -42,10 +46,21 @@ class PlyReader {
         const uint64_t least = uint64_t(e.LeastRowBytes(format)) * e.count;
         // The last ascii number needs no space behind it.
         const uint64_t slack = format == PlyFormat::Ascii ? 1 : 0;
-        if (!stream.KnowsLength() || least <= stream.BytesLeft() + slack) return true;
-        Fail(fmt::format("is too short: {} x \"{}\" need at least {} bytes, {} are left", e.count,
-                         e.name, least, stream.BytesLeft()));
+        if (least <= stream.BytesLeft() + slack) return true;
+        Fail(fmt::format("is too short: {} x \"{}\" need at least {} bytes, {} are left{}", e.count,
+                         e.name, least, stream.BytesLeft(),
+                         stream.KnowsLength() ? "" : " at most when unpacked"));
         return false;
+    }
+
+    /// False where memory is too small for so many rows of vertices or faces.
+    bool HasRoom(const PlyElement &e) {
+        // Point, normal and uv, or the corners of a quad and a face index.
+        const uint64_t rowBytes = std::max(sizeof(Point3f) + sizeof(Normal3f) + sizeof(Point2f),
+                                           4 * sizeof(uint32_t) + sizeof(int));
+        const auto why = WhyTooLarge(e.count * rowBytes);
+        if (why) Fail(fmt::format("has {} x \"{}\": {}", e.count, e.name, *why));
+        return !why;
     }
 
     bool Faces(const PlyElement &e) {
@@ -101,10 +116,21 @@ class PlyReader {
                 if (!Face(p)) return false;
             } else {
                 if (!values->NextOrSkipList(p, &value)) return false;
-                if (i == face) *faceIndex = int(value);
+                if (i == face && !FaceIndex(value, faceIndex)) return false;
             }
         }
         return true;
+    }
+
+    /// False where the number is no int.
+    bool FaceIndex(double value, int *index) {
+        constexpr auto kLimits = std::numeric_limits<int>();
+        if (value >= kLimits.min() && value <= kLimits.max() && value == std::floor(value)) {
+            *index = int(value);
+            return true;
+        }
+        misfit = fmt::format("{:g}", value);
+        return false;
     }
 
     /// Adds the polygon whose corner list comes next.
@@ -120,7 +146,7 @@ class PlyReader {
         for (uint64_t i = 0; i < lastCorners; ++i) {
             double index;
             if (!values->Next(p.type, &index)) return false;
-            // Out of range either way; CheckIndices tells.
+            // Out of range either way; CheckIndices tells. Corners are integral, so never NaN.
             corner[i] = uint32_t(int64_t(std::clamp(index, -2147483648., 4294967295.)));
         }
         if (lastCorners == 3)
@@ -159,7 +185,9 @@ class PlyReader {
     }
 
     bool EndsIn(const PlyElement &e, size_t row) {
-        *problem = values->ProblemIn(e, row);
+        *problem = misfit.empty() ? values->ProblemIn(e, row)
+                                  : fmt::format("face_indices of face {} is {}, no 32-bit integer",
+                                                row, misfit);
         return false;
     }
     std::nullopt_t Fail(std::string message) {
@@ -173,6 +201,7 @@ class PlyReader {
     std::optional<PlyValues> values;
     PlyMesh mesh;
     uint64_t lastCorners = 0;
+    std::string misfit;  ///< a face index that is no int
 };
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <cstring>
 #include <filesystem>
 
+#include "pbrt/util/read_file.h"
+
 namespace pbrt {
 
 namespace {
@@ -12,9 +14,8 @@ constexpr size_t kWindow = size_t(1) << 18;
 
 PlyStream::PlyStream(const std::string &fileName) : window(kWindow) {
     at = end = window.data();
-    std::error_code error;
-    if (std::filesystem::is_directory(fileName, error)) {
-        problem = "is a folder";
+    if (const auto why = WhyNoFile(fileName)) {
+        problem = "cannot be opened: " + *why;
         return;
     }
     file = gzopen(fileName.c_str(), "rb");
@@ -24,6 +25,7 @@ PlyStream::PlyStream(const std::string &fileName) : window(kWindow) {
         return;
     }
     gzbuffer(file, unsigned(kWindow / 4));
+    std::error_code error;
     fileSize = std::filesystem::file_size(fileName, error);
     knowsLength = !error && gzdirect(file);
 }
@@ -54,6 +56,10 @@ bool PlyStream::Refill(size_t n) {
         }
         end += got;
         read += size_t(got);
+        if (const auto why = knowsLength ? std::nullopt : WhyUnpackedTooLarge(read, fileSize)) {
+            problem = *why;
+            return false;
+        }
     }
     return true;
 }

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "pbrt/util/unpacked.h"
+
 namespace pbrt {
 
 /// A file, gzipped or not, read forwards through a window.
@@ -31,7 +33,10 @@ class PlyStream {
     const std::string &Problem() const { return problem; }
     /// True where the bytes that are left are known (no gzip).
     bool KnowsLength() const { return knowsLength; }
-    uint64_t BytesLeft() const { return fileSize - (read - Available()); }
+    /// Bytes that are left, or the most that a gzipped file may yet unpack to.
+    uint64_t BytesLeft() const {
+        return (knowsLength ? fileSize : MostUnpacked(fileSize)) - (read - Available());
+    }
 
   private:
     bool Refill(size_t n);

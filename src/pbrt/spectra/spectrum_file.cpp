@@ -1,8 +1,14 @@
 #include "pbrt/spectra/spectrum_file.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <charconv>
-#include <fstream>
-#include <sstream>
+#include <cmath>
+
+#include "pbrt/spectra/sampled_spectrum.h"
+#include "pbrt/util/diagnostics.h"
+#include "pbrt/util/read_file.h"
 
 namespace pbrt {
 namespace {
@@ -25,36 +31,70 @@ struct Reader {
     void Fail(int line, const std::string &what) {
         error = fileName + ":" + std::to_string(line) + ": " + what;
     }
-    void Take(const std::string &word, int line) {
+    void Take(std::string_view word, int line) {
         const std::optional<float> number = ParseFinite(word);
-        if (!number) return Fail(line, "\"" + word + "\" is not a number");
+        if (!number) return Fail(line, fmt::format("\"{}\" is not a number", Shortened(word)));
         if (points.lambda.size() > points.values.size()) {
             points.values.push_back(*number);
         } else if (!points.lambda.empty() && *number <= points.lambda.back()) {
-            Fail(line, "wavelength " + word + " is not greater than the one before it");
+            Fail(line, "wavelength " + Shortened(word) + " is not greater than the one before it");
         } else {
             points.lambda.push_back(*number);
         }
     }
+    /// The numbers before a `#`.
+    void TakeLine(std::string_view line, int number) {
+        constexpr std::string_view kSpace = " \t\r\v\f";
+        line = line.substr(0, line.find('#'));
+        for (size_t at = line.find_first_not_of(kSpace); at < line.size() && error.empty();) {
+            const size_t end = std::min(line.find_first_of(kSpace, at), line.size());
+            Take(line.substr(at, end - at), number);
+            at = line.find_first_not_of(kSpace, end);
+        }
+    }
+    void TakeAll(std::string_view text) {
+        for (int number = 1; !text.empty() && error.empty(); ++number) {
+            const size_t end = std::min(text.find('\n'), text.size());
+            TakeLine(text.substr(0, end), number);
+            text.remove_prefix(std::min(end + 1, text.size()));
+        }
+    }
 };
+
+/// Why these say nothing about visible light; empty where they do.
+std::string Invisible(const std::vector<float> &lambda) {
+    if (lambda.front() <= LambdaMax && lambda.back() >= LambdaMin) return {};
+    constexpr float kMostMicrometres = 100;
+    return fmt::format("covers {} to {} nm, nothing of {} to {}{}", lambda.front(), lambda.back(),
+                       LambdaMin, LambdaMax,
+                       lambda.back() < kMostMicrometres ? "; are these micrometres?" : "");
+}
 
 }  // namespace
 
-OrError<SpectrumPoints> ReadSpectrumFile(const std::string &fileName) {
-    std::ifstream file(fileName);
-    if (!file) return {std::nullopt, fileName + ": cannot be opened"};
-    Reader reader{fileName, {}, {}};
-    std::string line, word;
-    for (int number = 1; std::getline(file, line) && reader.error.empty(); ++number) {
-        std::istringstream words(line.substr(0, line.find('#')));
-        while (reader.error.empty() && words >> word)
-            reader.Take(word, number);
+SpectrumPoints HoldingEnds(SpectrumPoints points) {
+    if (points.lambda.front() > LambdaMin) {
+        points.lambda.insert(points.lambda.begin(), LambdaMin);
+        points.values.insert(points.values.begin(), points.values.front());
     }
-    if (file.bad()) reader.error = fileName + ": cannot be read";
+    if (points.lambda.back() < LambdaMax) {
+        points.lambda.push_back(LambdaMax);
+        points.values.push_back(points.values.back());
+    }
+    return points;
+}
+
+OrError<SpectrumPoints> ReadSpectrumFile(const std::string &fileName) {
+    const FileContents file = ReadWholeFile(fileName);
+    if (!file.bytes) return {std::nullopt, file.error};
+    Reader reader{fileName, {}, {}};
+    reader.TakeAll(*file.bytes);
     if (!reader.error.empty()) return {std::nullopt, reader.error};
     if (reader.points.lambda.empty()) return {std::nullopt, fileName + ": holds no spectrum"};
     if (reader.points.lambda.size() != reader.points.values.size())
         return {std::nullopt, fileName + ": ends with a wavelength that has no value"};
+    if (const std::string reason = Invisible(reader.points.lambda); !reason.empty())
+        return {std::nullopt, fileName + ": " + reason};
     return {std::move(reader.points), {}};
 }
 

@@ -1,5 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <string>
+
 #include "pbrt/textures/checkerboard.h"
 #include "pbrt/textures/constant.h"
 #include "pbrt/textures/imagemap.h"
@@ -43,6 +48,33 @@ void AddSpectra(NamedTextures &named, const std::string &name, const SpectrumByR
     add(named.illuminants, SpectrumType::Illuminant);
 }
 
+/// Counts the textures that each texture is made of, again wherever it is used again: so many are
+/// looked up where it is, and no more of them within each other.
+class TextureCosts {
+  public:
+    /// False, with an error, where the texture is made of too many.
+    bool Add(const TextureEntity &entity, Diagnostics &log) {
+        constexpr uint64_t kMost = 1000;
+        uint64_t cost = 1;
+        for (const ParsedParameter &p : entity.params) {
+            if (p.type != "texture") continue;
+            for (const std::string &name : p.strings)
+                if (const auto found = costs.find(name); found != costs.end())
+                    cost += found->second;
+        }
+        const bool isFit = cost <= kMost;
+        if (!isFit)
+            log.Error(entity.loc, fmt::format("texture \"{}\" is made of more than {} others",
+                                              Shortened(entity.name), kMost));
+        uint64_t &known = costs[entity.name];  // of a float or a spectrum texture, or both
+        known = std::max(known, isFit ? cost : 1);
+        return isFit;
+    }
+
+  private:
+    std::map<std::string, uint64_t> costs;
+};
+
 }  // namespace
 
 std::span<const std::string_view> TextureClassNames() {
@@ -52,12 +84,14 @@ std::span<const std::string_view> TextureClassNames() {
 NamedTextures BuildTextures(const Description &scene, const Transform &renderFromWorld,
                             Diagnostics &log) {
     NamedTextures named;
+    TextureCosts costs;
     for (const TextureEntity &entity : scene.textures) {
         ParamDict params(entity.params, entity.loc, fmt::format("texture \"{}\"", entity.type),
                          entity.colorSpace, &log, scene.dir);
         const Transform textureFromRender = (renderFromWorld * entity.worldFromTexture).Inverse();
         TextureBuilder builder{params, named, textureFromRender};
-        const TextureClass *textureClass = FindClass(entity, log);
+        const TextureClass *textureClass =
+            costs.Add(entity, log) ? FindClass(entity, log) : nullptr;
         // An unknown class stands as a constant, so that its uses are no further errors.
         if (entity.isFloat) {
             named.floats.emplace(entity.name,
@@ -68,6 +102,7 @@ NamedTextures BuildTextures(const Description &scene, const Transform &renderFro
             if (textureClass) byRole = textureClass->createSpectrum(builder);
             AddSpectra(named, entity.name, byRole);
         }
+        if (builder.readsUV || named.AnyReadsUV(entity.params)) named.readUV.insert(entity.name);
         if (textureClass) params.ReportUnused();
     }
     return named;

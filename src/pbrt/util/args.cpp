@@ -35,6 +35,10 @@ std::string UnknownOption(std::string_view spelled, const std::string &name,
 
 }  // namespace
 
+bool IsSpellingOf(std::string_view spelled, std::string_view name) {
+    return IsOption(spelled) && CanonicalName(spelled) == CanonicalName(name);
+}
+
 NormalizedArgs NormalizeArgs(std::span<const std::string> args,
                              std::span<const ArgOption> options) {
     NormalizedArgs normalized;

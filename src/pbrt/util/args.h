@@ -21,6 +21,9 @@ struct NormalizedArgs {
     std::string unknown;  ///< the unknown option that it is about: lower case, without - and _
 };
 
+/// Whether an option spelled so, dashes included, is the one of this name.
+bool IsSpellingOf(std::string_view spelled, std::string_view name);
+
 /// Accepts pbrt's spellings: one or two dashes, `--name value` or `--name=value`, and in names
 /// case,
 /// `-` and `_` ignored. The word after an option that takes a value is its value whatever it begins

@@ -10,6 +10,17 @@
 
 namespace pbrt {
 
+std::string Shortened(std::string_view text, size_t most) {
+    constexpr std::string_view kGap = " ... ";
+    const size_t half = (most - std::min(most, kGap.size())) / 2;
+    std::string shown = text.size() <= most ? std::string(text)
+                                            : fmt::format("{}{}{}", text.substr(0, half), kGap,
+                                                          text.substr(text.size() - half));
+    for (char &c : shown)
+        if (static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t') c = '?';
+    return shown;
+}
+
 void Diagnostics::Error(const FileLoc &loc, std::string_view message) {
     Add(Severity::Error, loc, message);
 }
@@ -18,12 +29,18 @@ void Diagnostics::Warning(const FileLoc &loc, std::string_view message) {
     Add(Severity::Warning, loc, message);
 }
 
+void Diagnostics::WarningOnce(const FileLoc &loc, std::string_view message) {
+    if (warnedOnce.emplace(message).second) Warning(loc, message);
+}
+
 void Diagnostics::Add(Severity severity, const FileLoc &loc, std::string_view message) {
+    constexpr size_t kLongest = 2000;
     if (severity == Severity::Error) ++errors;
-    std::string text = loc.line > 0
-                           ? fmt::format("{}:{}:{}: {}", loc.file, loc.line, loc.column, message)
-                       : loc.file.empty() ? std::string(message)
-                                          : fmt::format("{}: {}", loc.file, message);
+    std::string text = Shortened(
+        loc.line > 0       ? fmt::format("{}:{}:{}: {}", loc.file, loc.line, loc.column, message)
+        : loc.file.empty() ? std::string(message)
+                           : fmt::format("{}: {}", loc.file, message),
+        kLongest);
     if (!messages.empty() && messages.back().text == text) return;
     messages.push_back({severity, std::move(text)});
 }
@@ -57,6 +74,8 @@ int Edits(std::string_view a, std::string_view b) {
 
 std::string_view NearestName(std::string_view name, std::span<const std::string_view> candidates) {
     std::string_view best;
+    constexpr size_t kLongest = 200;  // the time goes by the product of the lengths
+    if (name.size() > kLongest) return best;
     int fewest = 1 << 30;
     for (std::string_view c : candidates) {
         // An abbreviation is as near as a single edit.
@@ -78,8 +97,8 @@ std::string UnknownName(std::string_view kind, std::string_view name,
                         std::span<const std::string_view> known) {
     const std::string upstream = PbrtHasIt(kind, name);
     const std::string hint = upstream.empty() ? DidYouMean(name, known) : upstream + '.';
-    return fmt::format("unknown {} \"{}\"{} Known: {}", kind, name, hint.empty() ? "." : hint,
-                       QuotedList(known));
+    return fmt::format("unknown {} \"{}\"{} Known: {}", kind, Shortened(name),
+                       hint.empty() ? "." : hint, QuotedList(known));
 }
 
 std::string QuotedList(std::span<const std::string_view> names) {

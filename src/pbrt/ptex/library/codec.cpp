@@ -8,6 +8,8 @@
 
 #include "pbrt/ptex/check.h"
 #include "pbrt/ptex/texture.h"
+#include "pbrt/util/memory.h"
+#include "pbrt/util/read_file.h"
 
 namespace pbrt {
 namespace {
@@ -55,6 +57,8 @@ void ReadTexels(Ptex::PtexTexture &file, PtexTexels *texels) {
 }  // namespace
 
 OrError<PtexData> ReadPtex(const std::string &fileName) {
+    if (const auto why = WhyNoFile(fileName))
+        return {{}, fmt::format("{}: cannot be opened: {}", fileName, *why)};
     Ptex::String problem;
     const Ptex::PtexPtr<Ptex::PtexTexture> file(
         Ptex::PtexTexture::open(fileName.c_str(), problem, false));
@@ -76,6 +80,8 @@ OrError<PtexData> ReadPtex(const std::string &fileName) {
         anyNeighbour |= data.neighbours.back().faces != PtexNeighbours{}.faces;
     }
     if (!anyNeighbour) data.neighbours = {};
+    if (const auto why = WhyTooLarge(data.texels.BytesNeeded()))
+        return {{}, fmt::format("{}: is too large: for its texels it {}", fileName, *why)};
     ReadTexels(*file, &data.texels);
     return {std::move(data), {}};
 }

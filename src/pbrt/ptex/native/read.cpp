@@ -7,7 +7,8 @@
 #include "pbrt/ptex/native/decode.h"
 #include "pbrt/ptex/native/metadata.h"
 #include "pbrt/ptex/texture.h"
-#include "pbrt/util/atomic_file.h"
+#include "pbrt/util/memory.h"
+#include "pbrt/util/read_file.h"
 
 namespace pbrt {
 namespace {
@@ -27,6 +28,7 @@ class Reader {
 
     std::optional<PtexData> Read() {
         if (!Header() || !FaceInfos() || !Constants() || !Levels() || !MetadataSection()) return {};
+        if (!HasRoom(data.texels.BytesNeeded(), "its texels")) return {};
         data.texels.Allocate();
         for (int f = 0; f < NFaces(); ++f)
             if (data.texels.IsConstant(f))
@@ -67,11 +69,18 @@ class Reader {
         rest.remove_prefix(size);
         return true;
     }
+    /// False where there is no memory for so many bytes.
+    bool HasRoom(uint64_t size, std::string_view what) {
+        constexpr uint64_t kSmall = 1 << 24;  // asking takes longer than unpacking
+        const auto why = size > kSmall ? WhyTooLarge(size) : std::nullopt;
+        return !why || Fail("is too large: for {} it {}", what, *why);
+    }
     /// Fills `to` with the `size` bytes that `zipped` holds.
     template <typename Container>
     bool InflateTo(std::string_view zipped, uint64_t size, std::string_view what, Container *to) {
         if (!CanInflate(zipped.size(), size))
             return Fail("is damaged: {} cannot be {} bytes large", what, size);
+        if (!HasRoom(size, what)) return false;
         to->resize(size / sizeof(*to->data()));
         return Inflate(zipped, to->data(), size) || Fail("is damaged: {} cannot be inflated", what);
     }
