@@ -94,7 +94,7 @@ TEST_F(ProgramOptions, ListsTakeNothingOfTheFileNamesBehindThem) {
                     Run(command + others + " " + (*i)[1].str() + between + value + " none-such");
                 EXPECT_EQ(outcome.exitCode, 1);
                 EXPECT_NE(outcome.said.find("none-such"), std::string::npos)
-                    << command << ' ' << *i << ": " << outcome.said;
+                    << command << ' ' << i->str() << ": " << outcome.said;
                 EXPECT_EQ(outcome.said.find("required"), std::string::npos) << outcome.said;
             }
             ++visited;

@@ -53,7 +53,7 @@ TEST_F(Waves, TheErrorIsImgtoolsAndFallsAsOneOverTheSamples) {
     Diagnostics log;
     const auto world = Build(kScene, log);
     ASSERT_TRUE(Render(*world, 0, GoOn));
-    const Image other = RenderText(kScene, {.seed = 1, .spp = 4096});
+    const Image other = RenderText(kScene, {.seed = 1, .spp = 1024});
     ASSERT_EQ(WriteImage(other, Path("reference.exr"), ExrPixels::Float), std::nullopt);
     world->options.mseReferenceImage = Path("reference.exr");
     world->options.mseReferenceOut = Path("mse.txt");
