@@ -13,7 +13,7 @@ namespace pbrt::test {
 struct Limits {
     uint64_t addressSpace = 0;  ///< bytes, RLIMIT_AS; 0: no limit. Nothing for sanitizers
     int threads = 0;        ///< RLIMIT_NPROC, the first one too; 0: no limit. See CanLimitThreads
-    std::string out;        ///< file that standard output goes to; empty: Outcome::said
+    std::string out = {};   ///< file that standard output goes to; empty: Outcome::said
     uint64_t fileSize = 0;  ///< bytes, RLIMIT_FSIZE; 0: no limit
 };
 
