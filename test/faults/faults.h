@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -31,14 +32,15 @@ class Faults : public TempFolder {
         args.insert(args.end(), more.begin(), more.end());
         return Run("pbrt", args, limits);
     }
-    /// scene.pbrt: 16 x 16 pixels of 4 samples under an even sky, the camera at z = 3 looking to
-    /// the origin.
-    void PutScene(const std::string &directives) const {
+    /// scene.pbrt: size x size pixels of 4 samples under an even sky, the camera at z = 3 looking
+    /// to the origin.
+    void PutScene(const std::string &directives, int size = 16) const {
+        const std::string n = std::to_string(size);
         Put("scene.pbrt",
-            "Film \"rgb\" \"integer xresolution\" 16 \"integer yresolution\" 16\n"
-            "Sampler \"independent\" \"integer pixelsamples\" 4\n"
-            "LookAt 0 0 3 0 0 0 0 1 0\nCamera \"perspective\" \"float fov\" 40\nWorldBegin\n"
-            "LightSource \"infinite\"\n" +
+            "Film \"rgb\" \"integer xresolution\" " + n + " \"integer yresolution\" " + n +
+                "\nSampler \"independent\" \"integer pixelsamples\" 4\n"
+                "LookAt 0 0 3 0 0 0 0 1 0\nCamera \"perspective\" \"float fov\" 40\nWorldBegin\n"
+                "LightSource \"infinite\"\n" +
                 directives + "\n");
     }
     std::string Get(const std::string &name) const {

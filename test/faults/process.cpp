@@ -9,6 +9,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <fstream>
+#include <thread>
 
 #include "support/folders.h"
 
@@ -27,13 +29,15 @@ void Limit(decltype(RLIMIT_AS) which, uint64_t value) {
 /// In the child: all that is between fork and exec, without allocation.
 void Become(const char *folder, const Limits &limits, int output) {
     if (chdir(folder) != 0) _exit(kCannotStart);
-    const int in = open("/dev/null", O_RDONLY);
-    const int out =
-        limits.out.empty() ? output : open(limits.out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
-    if (in < 0 || out < 0) _exit(kCannotStart);
+    const auto open = [output](const std::string &file) {
+        return file.empty() ? output : ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    };
+    const int in = ::open("/dev/null", O_RDONLY), out = open(limits.out), err = open(limits.err);
+    if (in < 0 || out < 0 || err < 0) _exit(kCannotStart);
     dup2(in, STDIN_FILENO);
     dup2(out, STDOUT_FILENO);
-    dup2(output, STDERR_FILENO);
+    dup2(err, STDERR_FILENO);
+    if (limits.ignored > 0) signal(limits.ignored, SIG_IGN);
     Limit(RLIMIT_CORE, 0);
     if (limits.addressSpace > 0) Limit(RLIMIT_AS, limits.addressSpace);
     if (limits.fileSize > 0) Limit(RLIMIT_FSIZE, limits.fileSize);
@@ -49,7 +53,7 @@ void Become(const char *folder, const Limits &limits, int output) {
 
 Process::Process(const std::string &program, const std::vector<std::string> &args,
                  const std::string &folder, const Limits &limits) {
-    const std::string path = ProgramDir() + "/" + program;
+    const std::string path = program[0] == '/' ? program : ProgramDir() + "/" + program;
     std::vector<char *> words{const_cast<char *>(path.c_str())};
     for (const std::string &word : args)
         words.push_back(const_cast<char *>(word.c_str()));
@@ -73,6 +77,19 @@ Process::~Process() {
 
 void Process::Signal(int number) const {
     if (pid > 0) kill(pid, number);
+}
+
+bool Process::Catches(int number) const {
+    using namespace std::chrono_literals;
+    const std::string status = "/proc/" + std::to_string(pid) + "/status";
+    for (int i = 0; i < 2000; ++i) {
+        std::ifstream file(status);
+        for (std::string word; file >> word;)
+            if (uint64_t mask = 0; word == "SigCgt:" && file >> std::hex >> mask)
+                if (mask >> (number - 1) & 1) return true;
+        std::this_thread::sleep_for(10ms);
+    }
+    return false;
 }
 
 bool Process::Read(std::chrono::steady_clock::time_point until) {
@@ -116,7 +133,7 @@ Outcome Process::Wait(std::chrono::seconds longest) {
 }
 
 bool CanLimitThreads() {
-    const Outcome outcome = Process("imgtool", {"help"}, "/", {0, 1, {}, 0}).Wait();
+    const Outcome outcome = Process("imgtool", {"help"}, "/", {.threads = 1}).Wait();
     return outcome.exitCode == 0;
 }
 

@@ -15,6 +15,8 @@ struct Limits {
     int threads = 0;        ///< RLIMIT_NPROC, the first one too; 0: no limit. See CanLimitThreads
     std::string out = {};   ///< file that standard output goes to; empty: Outcome::said
     uint64_t fileSize = 0;  ///< bytes, RLIMIT_FSIZE; 0: no limit
+    std::string err = {};   ///< as `out`, of standard error
+    int ignored = 0;        ///< a signal that it starts with ignoring
 };
 
 /// How a process ended.
@@ -28,7 +30,7 @@ struct Outcome {
 /// One of our programs, running in a folder with empty standard input. Ends with this object.
 class Process {
   public:
-    /// `program`: "pbrt", "imgtool" ...
+    /// `program`: "pbrt", "imgtool" ..., or a path from the root.
     Process(const std::string &program, const std::vector<std::string> &args,
             const std::string &folder, const Limits &limits = {});
     ~Process();
@@ -36,6 +38,8 @@ class Process {
     Process &operator=(const Process &) = delete;
 
     void Signal(int number) const;
+    /// Waits until it has a handler for the signal; false where none comes.
+    bool Catches(int number) const;
     /// Waits for its end; after `longest` it is killed.
     Outcome Wait(std::chrono::seconds longest = std::chrono::seconds(60));
     /// Whether it has said `text` within `longest`.

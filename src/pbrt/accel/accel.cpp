@@ -6,6 +6,9 @@
 #endif
 
 #include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <string_view>
 
 #include "pbrt/accel/impl.h"
 
@@ -14,11 +17,7 @@ namespace pbrt {
 namespace {
 
 void NoteError(void *user, RTCError code, const char *text) {
-    auto &error = *static_cast<std::string *>(user);
-    if (!error.empty()) return;
-    error = code == RTC_ERROR_OUT_OF_MEMORY
-                ? "not enough memory for the ray tracing structure"
-                : fmt::format("Embree: {} (error {})", text ? text : "", int(code));
+    static_cast<EmbreeFailure *>(user)->Note(code, text);
 }
 
 bool NoteMemory(void *user, ssize_t bytes, bool) {
@@ -40,6 +39,44 @@ bool IsUserGeometry(const Shape &shape) {
 
 bool IsInvisible(const Geometry &g) {
     return g.alpha.IsConstant() && g.alpha.Constant() <= 0;
+}
+
+struct InstructionSet {
+    const char *name;  ///< as Embree spells it
+    bool known;        ///< to this processor
+};
+
+/// Embree's instruction sets. Embree itself does not ask the processor when it is told one.
+std::vector<InstructionSet> InstructionSets() {
+#if defined(__x86_64__)
+    return {
+        {"sse4.2", bool(__builtin_cpu_supports("sse4.2"))},
+        {"avx", bool(__builtin_cpu_supports("avx"))},
+        {"avx2", bool(__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))},
+        {"avx512", bool(__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+                        __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
+                        __builtin_cpu_supports("avx512vl"))}};
+#else
+    return {};
+#endif
+}
+
+/// Embree's device configuration. The environment variable PBRT_EMBREE_ISA names the instruction
+/// set, for tests of what other processors do; without it Embree takes the widest that there is. On
+/// an unknown name *error says which there are.
+std::string DeviceConfiguration(int nThreads, std::string *error) {
+    std::string config = nThreads > 0 ? fmt::format("threads={}", nThreads) : "";
+    const char *const asked = std::getenv("PBRT_EMBREE_ISA");
+    if (!asked || !*asked) return config;
+    std::string names;
+    for (const InstructionSet &isa : InstructionSets()) {
+        if (!isa.known) continue;
+        if (isa.name == std::string_view(asked))
+            return fmt::format("{}{}isa={}", config, config.empty() ? "" : ",", isa.name);
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", isa.name);
+    }
+    *error = fmt::format("PBRT_EMBREE_ISA is \"{}\"; this processor knows: {}", asked, names);
+    return {};
 }
 
 /// What was freed in small pieces goes back to the system, which it does not by itself.
@@ -88,6 +125,17 @@ RTCGeometry NewQuads(RTCDevice device, const BilinearMesh &mesh) {
 
 }  // namespace
 
+void EmbreeFailure::Note(RTCError error, const char *why) {
+    if (code != RTC_ERROR_NONE) return;
+    code = error;
+    if (why) std::strncpy(text.data(), why, text.size() - 1);
+}
+
+std::string EmbreeFailure::Sentence() const {
+    if (code == RTC_ERROR_OUT_OF_MEMORY) return "not enough memory for the ray tracing structure";
+    return fmt::format("Embree: {} (error {})", text.data(), int(code));
+}
+
 Accel::Impl::~Impl() {
     if (scene) rtcReleaseScene(scene);
     for (RTCScene s : objectScenes)
@@ -96,14 +144,21 @@ Accel::Impl::~Impl() {
 }
 
 void Accel::Impl::Build(int nThreads) {
-    const std::string config = nThreads > 0 ? fmt::format("threads={}", nThreads) : "";
+    const std::string config = DeviceConfiguration(nThreads, &error);
+    if (!error.empty()) return;
     device = rtcNewDevice(config.c_str());
     if (!device) {
-        error = fmt::format("Embree does not start (error {})", int(rtcGetDeviceError(nullptr)));
+        failure.Note(rtcGetDeviceError(nullptr), "it does not start");
+        error = failure.Sentence();
         return;
     }
-    rtcSetDeviceErrorFunction(device, NoteError, &error);
+    rtcSetDeviceErrorFunction(device, NoteError, &failure);
     rtcSetDeviceMemoryMonitorFunction(device, NoteMemory, &memory);
+    BuildScenes();
+    if (Failed()) error = failure.Sentence();
+}
+
+void Accel::Impl::BuildScenes() {
     records.reserve(geometries.size());
     for (const Geometry &g : geometries) {
         const bool hasAlpha = !g.alpha.IsConstant() || g.alpha.Constant() < 1;
@@ -111,14 +166,16 @@ void Accel::Impl::Build(int nThreads) {
     }
     for (const ObjectRange &object : objects) {
         objectScenes.push_back(NewScene(object.first, object.last, object.last - object.first));
+        if (Failed()) return;
         rtcCommitScene(objectScenes.back());
     }
     Count(0, nTop);
     for (const Instance &instance : instances)
         Count(objects[instance.object].first, objects[instance.object].last);
     scene = NewScene(0, nTop, nTop + uint32_t(instances.size()));
-    for (uint32_t i = 0; i < instances.size(); ++i)
+    for (uint32_t i = 0; i < instances.size() && !Failed(); ++i)
         AttachInstance(i);
+    if (Failed()) return;
     ReturnFreeMemory();  // Embree's building takes the most
     rtcCommitScene(scene);
 }
@@ -129,6 +186,8 @@ void Accel::Impl::Count(uint32_t first, uint32_t last) {
 }
 
 void Accel::Impl::Attach(RTCScene target, RTCGeometry geometry, uint32_t id) {
+    // Calls on a null handle are noted nowhere; what failed before them has been.
+    if (!geometry) return failure.Note(RTC_ERROR_UNKNOWN, "a geometry could not be made");
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(target, geometry, id);
     rtcReleaseGeometry(geometry);
@@ -159,12 +218,13 @@ RTCGeometry Accel::Impl::NewGeometry(const GeometryRecord &record) {
 /// lets 1e-6 of all rays out, and 1e-4 where it is 1000 times its size from the origin.
 RTCScene Accel::Impl::NewScene(uint32_t first, uint32_t last, uint32_t quadricsId) {
     RTCScene s = rtcNewScene(device);
+    if (!s) return failure.Note(RTC_ERROR_UNKNOWN, "a scene could not be made"), nullptr;
     rtcSetSceneBuildQuality(s, RTC_BUILD_QUALITY_MEDIUM);
     rtcSetSceneFlags(s, RTC_SCENE_FLAG_ROBUST);
     QuadricSet set;
     set.reserve(size_t(std::count_if(geometries.begin() + first, geometries.begin() + last,
                                      [](const Geometry &g) { return QuadricTransform(g.shape); })));
-    for (uint32_t i = first; i < last; ++i) {
+    for (uint32_t i = first; i < last && !Failed(); ++i) {
         GeometryRecord &record = records[i];
         record.local = i - first;
         if (IsInvisible(*record.geometry)) continue;

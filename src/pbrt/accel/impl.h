@@ -1,7 +1,10 @@
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <deque>
+#include <string>
+#include <vector>
 
 #include "pbrt/accel/accel.h"
 #include "pbrt/accel/curve_chords.h"
@@ -22,6 +25,15 @@ struct MemoryUse {
     }
 };
 
+/// Embree's first complaint. Noted without allocation, for it is mostly that memory ran out.
+struct EmbreeFailure {
+    RTCError code = RTC_ERROR_NONE;
+    std::array<char, 256> text{};
+
+    void Note(RTCError error, const char *why);
+    std::string Sentence() const;
+};
+
 struct Accel::Impl {
     std::span<const Geometry> geometries;
     std::span<const ObjectRange> objects;
@@ -35,6 +47,7 @@ struct Accel::Impl {
     std::deque<QuadricSet> quadrics;      ///< one a scene that has some
     std::deque<CurveRecord> curves;       ///< one a set of curves
     MemoryUse memory;                     ///< of Embree and of `curves`
+    EmbreeFailure failure;
     std::string error;
 
     Impl(std::span<const Geometry> geometries, uint32_t nTop, std::span<const ObjectRange> objects,
@@ -45,6 +58,8 @@ struct Accel::Impl {
     Impl &operator=(const Impl &) = delete;
 
     void Build(int nThreads);
+    void BuildScenes();
+    bool Failed() const { return failure.code != RTC_ERROR_NONE; }
     void Count(uint32_t first, uint32_t last);
     /// Whether rays of one octant should be traced as coherent ones.
     bool IsSmall() const { return nUser <= 500 && nOther <= 100; }
@@ -52,6 +67,7 @@ struct Accel::Impl {
     /// of spheres, where packets lose from there on.
     bool IntersectsSingly() const { return nUser > 1000; }
     bool OccludesSingly() const { return nUser > 3000; }
+    /// Null where it fails.
     RTCScene NewScene(uint32_t first, uint32_t last, uint32_t quadricsId);
     RTCGeometry NewGeometry(const GeometryRecord &record);
     void AttachInstance(uint32_t index);

@@ -1,6 +1,13 @@
+#include <vector>
+
 #include "pbrt/imgtool/commands.h"
 
+#include "pbrt/cli/main.h"
+#include "pbrt/cli/threads.h"
+
 int main(int argc, char **argv) {
-    const std::vector<std::string> args(argv + 1, argv + argc);
-    return pbrt::cli::Print(pbrt::cli::Run(pbrt::imgtool::kTool, args));
+    return pbrt::cli::Main("imgtool", argc, argv, [](pbrt::cli::Args args) {
+        pbrt::cli::LimitThreads(0);
+        return pbrt::cli::Print(pbrt::cli::Run(pbrt::imgtool::kTool, args));
+    });
 }

@@ -6,6 +6,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
+#include <new>
+#include <system_error>
+
+#include "pbrt/util/say.h"
 
 namespace pbrt {
 namespace {
@@ -28,17 +33,22 @@ Progress::Progress(std::string title, bool quiet)
       quiet(quiet),
       terminal(isatty(STDERR_FILENO) != 0),
       startNanoseconds(Now()) {
-    if (!quiet && terminal) thread = std::thread([this] { Run(); });
+    if (quiet || !terminal) return;
+    try {
+        thread = std::thread([this] { Run(); });
+    } catch (const std::system_error &) {  // no thread to be had: the bar stands still
+    }
 }
 
 Progress::~Progress() {
     if (!finished) Finish("stopped");
 }
 
-void Progress::Run() {
+void Progress::Run() try {
     std::unique_lock lock(mutex);
     while (!wake.wait_for(lock, std::chrono::milliseconds(200), [this] { return finished; }))
         Draw((Now() - startNanoseconds) * 1e-9);
+} catch (const std::bad_alloc &) {  // no memory for a line: the bar stands still
 }
 
 void Progress::Draw(double seconds) const {
@@ -48,8 +58,7 @@ void Progress::Draw(double seconds) const {
                      : fmt::format("({:.1f}s|?s)", seconds);
     const int width = std::max(10, TerminalWidth() - int(title.size() + times.size()) - 7);
     const int filled = int(fraction * width);
-    fmt::print(stderr, "\r{}: [{:+<{}}{: <{}}] {} ", title, "", filled, "", width - filled, times);
-    std::fflush(stderr);
+    Say(fmt::format("\r{}: [{:+<{}}{: <{}}] {} ", title, "", filled, "", width - filled, times));
 }
 
 void Progress::Finish(const std::string &outcome) {
@@ -63,10 +72,10 @@ void Progress::Finish(const std::string &outcome) {
     const double seconds = (Now() - startNanoseconds) * 1e-9;
     if (terminal) {
         Draw(seconds);
-        fmt::print(stderr, "\n");
+        Say("\n");
     }
     if (!terminal || outcome != "done")
-        fmt::print(stderr, "{}: {} after {:.1f} s\n", title, outcome, seconds);
+        Say(fmt::format("{}: {} after {:.1f} s\n", title, outcome, seconds));
 }
 
 }  // namespace pbrt

@@ -9,26 +9,44 @@
 namespace pbrt::feathergen {
 namespace fs = std::filesystem;
 
+namespace {
+
+/// What is there only since now, and goes again unless it is kept.
+class Created {
+  public:
+    Created() = default;
+    Created(const Created &) = delete;
+    Created &operator=(const Created &) = delete;
+    ~Created() {
+        std::error_code failure;
+        for (auto path = paths.rbegin(); path != paths.rend(); ++path)
+            fs::remove(*path, failure);
+    }
+    void Add(const std::string &path) { paths.push_back(path); }
+    void Keep() { paths.clear(); }
+
+  private:
+    std::vector<std::string> paths;
+};
+
+}  // namespace
+
 std::optional<std::string> FileSet::Write(const std::string &folder) const {
     std::error_code failure;
-    const bool isNewFolder = !folder.empty() && !fs::exists(folder, failure);
-    if (isNewFolder && (fs::create_directories(folder, failure), failure))
-        return fmt::format("{}: the folder cannot be made: {}", folder, failure.message());
-
-    std::vector<std::string> created;
-    std::optional<std::string> problem;
-    for (const File &file : files)
-        if (!problem) problem = WhyNotWritable(file.name);
-    for (const File &file : files) {
-        if (problem) break;
-        if (!fs::exists(file.name, failure)) created.push_back(file.name);
-        problem = file.write(file.name);
+    Created created;
+    if (!folder.empty() && !fs::exists(folder, failure)) {
+        created.Add(folder);
+        if (fs::create_directories(folder, failure), failure)
+            return fmt::format("{}: the folder cannot be made: {}", folder, failure.message());
     }
-    if (!problem) return {};
-    for (const std::string &name : created)
-        fs::remove(name, failure);
-    if (isNewFolder) fs::remove(folder, failure);
-    return problem;
+    for (const File &file : files)
+        if (auto problem = WhyNotWritable(file.name)) return problem;
+    for (const File &file : files) {
+        if (!fs::exists(file.name, failure)) created.Add(file.name);
+        if (auto problem = file.write(file.name)) return problem;
+    }
+    created.Keep();
+    return {};
 }
 
 }  // namespace pbrt::feathergen

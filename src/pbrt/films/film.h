@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>
@@ -12,6 +13,9 @@
 #include "pbrt/spectra/color.h"
 
 namespace pbrt {
+
+/// Most pixels along a side of a picture.
+inline constexpr int kMaxResolution = 1 << 16;
 
 /// Half-open rectangle of pixels.
 struct PixelBounds {
@@ -87,6 +91,9 @@ class Film {
     /// RGB of L by the matching curves, neither exposed nor clamped.
     SampledSpectrum::Lanes Matched(SampledSpectrum L, const SampledWavelengths &lambda) const;
     std::vector<std::string> NamesOfFurther() const;
+    /// Memory that the pixels take until the picture is written, all at a time: sums, picture,
+    /// file.
+    uint64_t BytesFor(const PixelBounds &b) const;
     void AddFurther(Pixel *pixel, SampledSpectrum L, const RGB &rgb,
                     const SampledWavelengths &lambda, float weight,
                     const VisibleSurface *surface) const;

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
 #include <set>
 
 #include "pbrt/scene/builder.h"
@@ -16,27 +18,42 @@ std::vector<std::string_view> Names(const Map &map) {
     return names;
 }
 
-/// Takes out of all objects the uses that make one contain itself, depth first.
+/// What goes through objects inside objects recurs once for each level.
+constexpr int kMostLevels = 1000;
+
+/// Takes out of all objects the uses that make one contain itself, or too many levels, depth first.
 class InstanceCycles {
   public:
     InstanceCycles(Description *scene, Diagnostics *log) : scene(scene), log(log) {}
 
-    void Visit(const std::string &name) {
-        if (done.contains(name)) return;
+    /// The levels of objects in this one, itself counted.
+    int Visit(const std::string &name) {
+        const auto known = levels.find(name);
+        if (known != levels.end()) return known->second;
         above.insert(name);
-        std::erase_if(scene->objects.at(name).instances, [this](const InstanceUse &use) {
-            if (!above.contains(use.name)) return Visit(use.name), false;
-            log->Error(use.loc, fmt::format("object \"{}\" contains itself", use.name));
+        int deepest = 0;
+        std::erase_if(scene->objects.at(name).instances, [&](const InstanceUse &use) {
+            if (above.contains(use.name)) {
+                log->Error(use.loc, fmt::format("object \"{}\" contains itself", use.name));
+                return true;
+            }
+            const int inner = int(above.size()) < kMostLevels ? Visit(use.name) : kMostLevels;
+            if (inner < kMostLevels) {
+                deepest = std::max(deepest, inner);
+                return false;
+            }
+            log->Error(use.loc, fmt::format("objects are nested more than {} deep", kMostLevels));
             return true;
         });
         above.erase(name);
-        done.insert(name);
+        return levels[name] = 1 + deepest;
     }
 
   private:
     Description *scene;
     Diagnostics *log;
-    std::set<std::string> above, done;
+    std::set<std::string> above;
+    std::map<std::string, int> levels;
 };
 
 }  // namespace

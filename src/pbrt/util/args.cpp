@@ -35,6 +35,10 @@ std::string UnknownOption(std::string_view spelled, const std::string &name,
 
 }  // namespace
 
+bool IsSpellingOf(std::string_view spelled, std::string_view name) {
+    return IsOption(spelled) && CanonicalName(spelled) == CanonicalName(name);
+}
+
 NormalizedArgs NormalizeArgs(std::span<const std::string> args,
                              std::span<const ArgOption> options) {
     NormalizedArgs normalized;
@@ -56,6 +60,7 @@ NormalizedArgs NormalizeArgs(std::span<const std::string> args,
         });
         if (option == options.end()) {
             normalized.error = UnknownOption(spelled, name, options);
+            normalized.unknown = name;
             return normalized;
         }
         std::string value;

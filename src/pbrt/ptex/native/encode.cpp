@@ -3,6 +3,7 @@
 #include <zlib.h>
 
 #include <numeric>
+#include <type_traits>
 
 namespace pbrt {
 namespace {
