@@ -53,7 +53,7 @@ void Become(const char *folder, const Limits &limits, int output) {
 
 Process::Process(const std::string &program, const std::vector<std::string> &args,
                  const std::string &folder, const Limits &limits) {
-    const std::string path = ProgramDir() + "/" + program;
+    const std::string path = program[0] == '/' ? program : ProgramDir() + "/" + program;
     std::vector<char *> words{const_cast<char *>(path.c_str())};
     for (const std::string &word : args)
         words.push_back(const_cast<char *>(word.c_str()));

@@ -30,7 +30,7 @@ struct Outcome {
 /// One of our programs, running in a folder with empty standard input. Ends with this object.
 class Process {
   public:
-    /// `program`: "pbrt", "imgtool" ...
+    /// `program`: "pbrt", "imgtool" ..., or a path from the root.
     Process(const std::string &program, const std::vector<std::string> &args,
             const std::string &folder, const Limits &limits = {});
     ~Process();

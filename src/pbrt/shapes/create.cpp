@@ -1,5 +1,7 @@
 #include "pbrt/shapes/create.h"
 
+#include <fmt/format.h>
+
 #include <array>
 
 #include "pbrt/shapes/shape.h"
