@@ -64,7 +64,8 @@ Outcome Failure(std::string_view tool, std::string_view reason) {
 }
 
 std::optional<Outcome> Parse(CLI::App *app, Args args) {
-    app->footer(std::string(kMemoryLimitHelp));
+    const std::string footer = app->get_footer();
+    app->footer(fmt::format("{}{}{}", footer, footer.empty() ? "" : "\n", kMemoryLimitHelp));
     NormalizedArgs normalized = NormalizeArgs(args, ArgOptionsOf(*app));
     const auto mistake = [&](std::string_view text) {
         return Outcome{1,
