@@ -4,6 +4,8 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
+#include <string>
 
 #include "bench/stopwatch.h"
 #include "feather/model.h"

@@ -31,7 +31,6 @@ class CosineLobe {
         const BxDFFlags side = sameSide ? BxDFFlags::Reflection : BxDFFlags::Transmission;
         return BSDFSample{feather.f(wo, wi, mode), wi, pdf, side | BxDFFlags::Glossy};
     }
-    void Regularize() { feather.Regularize(); }
 
   private:
     static constexpr float kSameSide = 0.9f;

@@ -2,6 +2,7 @@
 // Writes CSV: what, ns.
 //   bench_wide [rounds, default 20]
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "bench/stopwatch.h"
 #include "pbrt/shapes/interact_packet.h"

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <random>
 #include <regex>
+#include <sstream>
 
 #include "bsdftool/tool_test.h"
 #include "feather/model.h"

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <sstream>
+
 #include "pbrt/bsdftool/commands.h"
 #include "pbrt/bsdftool/material_source.h"
 #include "support/tool_test.h"

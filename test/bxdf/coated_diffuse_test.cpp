@@ -1,5 +1,7 @@
 // CoatedDiffuseBxDF against a slow twin: light walked from layer to layer.
 
+#include <string>
+
 #include "pbrt/bxdfs/coated_diffuse.h"
 
 #include <gtest/gtest.h>

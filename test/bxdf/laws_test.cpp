@@ -184,7 +184,7 @@ TYPED_TEST(EveryBxDF, IsFiniteAtTheCorners) {
     const float corners[]{0, 0x1p-24f, 0.5f, OneMinusEpsilon};
     for (auto c : CasesOf<TypeParam>()) {
         for (bool regularized : {false, true}) {
-            if (regularized) c.bxdf.Regularize();
+            if (regularized) Regularize(c.bxdf);
             for (const Vector3f &wo : directions) {
                 for (const Vector3f &wi : directions) {
                     for (TransportMode mode : kModes) {

@@ -41,7 +41,7 @@ TEST_F(Output, WhatStandardOutputDoesNotTakeIsAnError) {
         const Outcome whole = Run(command[0], args);
         EXPECT_EQ(whole.exitCode, 0) << name << ": " << whole.said;
         if (whole.said.empty()) continue;  // nothing to write
-        EXPECT_TRUE(Refused(Run(command[0], args, {0, 0, "/dev/full", 0}),
+        EXPECT_TRUE(Refused(Run(command[0], args, {.out = "/dev/full"}),
                             "standard output: cannot be written: No space left on device"))
             << name;
     }

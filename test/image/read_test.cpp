@@ -6,9 +6,12 @@
 #include <gtest/gtest.h>
 #include <png.h>
 
+#include <cstdint>
+
 #include "image/pictures.h"
 #include "image/sample_files.h"
 #include "pbrt/image/image.h"
+#include "support/exr_parts.h"
 #include "support/temp_folder.h"
 
 namespace pbrt {
@@ -141,6 +144,20 @@ TEST_F(Reading, ExrTiles) {
     const OrError<Image> image = ReadImage(Path("tiles.exr"));
     ASSERT_TRUE(image) << image.error;
     EXPECT_EQ(image.value->Data(), picture.Data());
+}
+
+TEST_F(Reading, ExrPartsBeyondTheFirstAreNamed) {
+    WriteExrParts(Path("a.exr"), {"left", "right", "depth"}, {1, 1});
+    const OrError<Image> image = ReadImage(Path("a.exr"));
+    ASSERT_TRUE(image) << image.error;
+    EXPECT_EQ(image.value->Data(), std::vector<float>(3, 1.f));
+    EXPECT_EQ(image.value->metadata.unread,
+              "has 3 parts, of which only the first, \"left\", is read (others: \"right\", "
+              "\"depth\")");
+    WriteExrParts(Path("b.exr"), {"1", "2", "3", "4", "5", "6", "7"}, {1, 1});
+    EXPECT_TRUE(ReadImage(Path("b.exr")).value->metadata.unread.ends_with("\"6\", ...)"));
+    WriteExrParts(Path("c.exr"), {"all"}, {1, 1});
+    EXPECT_EQ(ReadImage(Path("c.exr")).value->metadata.unread, "");
 }
 
 TEST_F(Reading, SubsampledExrIsAnError) {

@@ -140,13 +140,13 @@ TEST_F(RoundTrip, PfmIsExactInColorAndGray) {
 
 TEST_F(RoundTrip, PngIsWithinHalfACode) {
     const ColorEncoding sRGB{ColorEncoding::Kind::sRGB, 1};
-    for (const auto &channels : {kRGB, {"Y"}, {"R", "G", "B", "A"}}) {
+    for (const auto &channels : {kRGB, {"Y"}, {"Y", "A"}, {"R", "G", "B", "A"}}) {
         const Image image = RandomDisplayPicture({37, 19}, channels);
         const Image read = Through(image, "a.png");
         ASSERT_EQ(read.ChannelNames(), channels);
         for (size_t i = 0; i < image.Data().size(); ++i) {
             const float a = image.Data()[i], b = read.Data()[i];
-            if (channels.size() == 4 && i % 4 == 3)
+            if (channels.size() % 2 == 0 && i % channels.size() == channels.size() - 1)
                 EXPECT_NEAR(a, b, 0.501f / 255);
             else
                 EXPECT_NEAR(sRGB.FromLinear(a), sRGB.FromLinear(b), 0.501f / 255);
@@ -185,7 +185,65 @@ TEST_F(RoundTrip, WithoutNamedChannelsOnlyColorsAreKept) {
     const Image image = RandomPicture({3, 3}, {"N.X", "R", "G", "B"});
     EXPECT_EQ(Through(image, "a.pfm").ChannelNames(), kRGB);
     EXPECT_EQ(WriteImage(RandomPicture({3, 3}, {"N.X", "N.Y"}), Path("b.png")),
-              Path("b.png") + ": needs the channels R, G and B or a single one in this format");
+              Path("b.png") +
+                  ": needs the channels R, G and B, or Y, or one or three beside alpha in this "
+                  "format");
+}
+
+/// Channel names, and which of them come back from PNG, in order, and as what.
+struct Kept {
+    std::vector<std::string> names, kept, as;
+};
+
+TEST_F(RoundTrip, EveryChannelSetThatCanBeToldApartIsKept) {
+    const std::vector<Kept> sets{
+        {{"Y"}, {"Y"}, {"Y"}},
+        {{"depth"}, {"depth"}, {"Y"}},
+        {{"A"}, {"A"}, {"Y"}},
+        {{"Y", "A"}, {"Y", "A"}, {"Y", "A"}},
+        {{"Y", "Z"}, {"Y"}, {"Y"}},
+        {{"A", "Y", "Z", "u"}, {"Y", "A"}, {"Y", "A"}},
+        {{"A", "X", "Y", "Z"}, {"X", "Y", "Z", "A"}, {"R", "G", "B", "A"}},
+        {kRGB, kRGB, kRGB},
+        {{"A", "B", "G", "R"}, {"R", "G", "B", "A"}, {"R", "G", "B", "A"}},
+        {{"N.X", "N.Y", "N.Z"}, {"N.X", "N.Y", "N.Z"}, kRGB},
+        {{"X", "Y", "Z"}, {"X", "Y", "Z"}, kRGB},
+        {{"l.R", "l.G", "l.B", "l.A"}, {"l.R", "l.G", "l.B", "l.A"}, {"R", "G", "B", "A"}},
+        {{"R", "G", "B", "l.A"}, kRGB, kRGB},
+    };
+    for (const auto &[names, kept, as] : sets) {
+        const Image image = RandomDisplayPicture({5, 3}, names);
+        const std::string all = testing::PrintToString(names);
+        const Image png = Through(image, "a.png"), pfm = Through(image, "a.pfm");
+        ASSERT_EQ(png.ChannelNames(), as) << all;
+        // PFM has no alpha.
+        ASSERT_EQ(pfm.NChannels(), as.size() < 3 ? 1 : 3) << all;
+        for (size_t c = 0; c < kept.size(); ++c)
+            for (int i = 0; i < 15; ++i) {
+                const Point2i p{i % 5, i / 5};
+                const float v = image.Get(p, image.ChannelIndex(kept[c]));
+                // Half a code, and the slope of sRGB's curve, which is at most 2.28, at 1.
+                EXPECT_NEAR(png.Get(p, int(c)), v, 2.28f * 0.501f / 255) << all << c;
+                if (int(c) >= pfm.NChannels()) continue;
+                EXPECT_EQ(pfm.Get(p, int(c)), v) << all << c;
+            }
+    }
+    for (const std::vector<std::string> &names : {std::vector<std::string>{"u", "v"},
+                                                  {"R", "G"},
+                                                  {"a", "b", "c", "d"},
+                                                  {"l.R", "l.G", "l.B", "m.R", "m.G", "m.B"}})
+        EXPECT_NE(WriteImage(Image({2, 2}, names), Path("b.png")), std::nullopt);
+}
+
+TEST_F(RoundTrip, OnlyColorsAreConverted) {
+    for (const auto &names :
+         {std::vector<std::string>{"N.X", "N.Y", "N.Z"}, {"l.R", "l.G", "l.B"}}) {
+        Image image({1, 1}, names);
+        image.Data() = {0.2f, 0.5f, 0.3f};
+        image.metadata.chromaticities = Chromaticities{
+            {{0.708f, 0.292f}, {0.17f, 0.797f}, {0.131f, 0.046f}, {0.3127f, 0.329f}}};
+        EXPECT_EQ(Through(image, "a.pfm").Data() == image.Data(), names[0] == "N.X");
+    }
 }
 
 TEST_F(RoundTrip, UnknownExtensionIsRefused) {

@@ -1,4 +1,5 @@
 #include "imgtool/tool_test.h"
+#include "support/exr_parts.h"
 
 namespace pbrt::imgtool {
 namespace {
@@ -35,6 +36,26 @@ TEST_F(ImgTool, MistakesAreExplained) {
               "(\"imgtool diff --help\" lists the options)\n");
     EXPECT_EQ(Fail({"info", Path("none.exr")}),
               "imgtool: " + Path("none.exr") + ": cannot be opened: No such file or directory\n");
+}
+
+TEST_F(ImgTool, EveryCommandSaysWhatOfAFileItDoesNotRead) {
+    const std::string stereo = Path("stereo.exr"), out = Path("out.exr");
+    WriteExrParts(stereo, {"left", "right"}, {4, 2});
+    const std::string plain = Save("plain.exr", Picture({4, 2}, kRGB, std::vector<float>(24, 1)));
+    const std::string said =
+        "imgtool: " + stereo +
+        ": has 2 parts, of which only the first, \"left\", is read (others: \"right\")\n";
+    const std::vector<std::vector<std::string>> commands{
+        {"average", stereo, plain, "--outfile", out},   {"check", stereo},
+        {"convert", stereo, "--outfile", out},          {"diff", stereo, "--reference", plain},
+        {"error", plain, plain, "--reference", stereo}, {"info", stereo},
+        {"makeequiarea", stereo, "--outfile", out}};
+    EXPECT_EQ(commands.size(), kTool.commands.size());
+    for (const std::vector<std::string> &args : commands) {
+        const cli::Outcome outcome = Do(args);
+        EXPECT_EQ(outcome.exitCode, 0) << args[0] << outcome.err;
+        EXPECT_EQ(outcome.err, said) << args[0];
+    }
 }
 
 TEST_F(ImgTool, InfoCountsWhatIsNotFinite) {

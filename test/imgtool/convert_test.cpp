@@ -74,6 +74,38 @@ TEST_F(Converting, AlphaKeepsItsValues) {
         {2, 4, 6, 0.5f});
 }
 
+TEST_F(Converting, PngToPngIsIdentityWhateverTheChannels) {
+    for (const auto &channels : {kRGB, {"Y"}, {"Y", "A"}, {"R", "G", "B", "A"}}) {
+        Image image({16, 16}, channels);
+        for (size_t i = 0; i < image.Data().size(); ++i)
+            image.Data()[i] = float(i * 7 % 256) / 255;
+        const std::string first = Path("first.png");
+        ASSERT_EQ(WriteImage(image, first), std::nullopt);
+        for (const std::string between : {"second.png", "second.exr", "second.pfm"}) {
+            const std::string second = Path(between);
+            Succeed({"convert", first, "--outfile", second});
+            const Image a = Load(first), b = Load(second);
+            const bool hasNoAlpha = between == "second.pfm" && channels.back() == "A";
+            ASSERT_EQ(b.NChannels(), a.NChannels() - int(hasNoAlpha));
+            const float rounding = between == "second.exr" ? 0x1p-11f : 0;  // half
+            for (int c = 0; c < b.NChannels(); ++c)
+                for (int i = 0; i < 256; ++i) {
+                    const Point2i p{i % 16, i / 16};
+                    const float before = a.Get(p, a.ChannelIndex(b.ChannelNames()[size_t(c)]));
+                    EXPECT_NEAR(b.Get(p, c), before, rounding * before);
+                }
+        }
+    }
+}
+
+TEST_F(Converting, ThreeChannelsAreThree) {
+    const Image normals = Picture({1, 1}, {"N.X", "N.Y", "N.Z", "u"}, {0.25f, 0.5f, 1, 7});
+    const Image png = Converted(normals, {"--channels", "N.X,N.Y,N.Z"}, "out.png");
+    EXPECT_EQ(png.ChannelNames(), kRGB);
+    for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(png.Get({0, 0}, c), normals.Get({0, 0}, c), 0.005f);  // a code is up to 0.0089
+}
+
 TEST_F(Converting, ChannelsCropFlipRepeat) {
     Image image({4, 3}, kRGB);
     for (int y = 0; y < 3; ++y)

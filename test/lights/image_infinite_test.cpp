@@ -2,6 +2,7 @@
 
 #include "lights/light_scene.h"
 #include "support/chi_square.h"
+#include "support/exr_parts.h"
 #include "support/temp_folder.h"
 
 namespace pbrt::test {
@@ -159,7 +160,84 @@ TEST(ImageInfiniteLight, StandsAsTurned) {
     EXPECT_EQ(light.Le({-1, 0, 0}, kLambda)[0], 0);
 }
 
+/// Midpoints of what is looked up, n a texel's edge.
+double SummedIlluminance(const Image &image, int n) {
+    const ImageInfiniteLight light = Lit(image, Transform());
+    const int m = n * image.Resolution().x;
+    double sum = 0;
+    for (int y = 0; y < m; ++y)
+        for (int x = 0; x < m; ++x) {
+            const Vector3f w = EqualAreaSquareToSphere(
+                Point2f{(float(x) + 0.5f) / float(m), (float(y) + 0.5f) / float(m)});
+            if (w.z > 0)
+                sum += double(w.z * Luminance(light.RadianceAt({(float(x) + 0.5f) / float(m),
+                                                                (float(y) + 0.5f) / float(m)},
+                                                               kLambda),
+                                              light.sky->illuminant, kLambda));
+        }
+    return sum * 4 * double(Pi) / (double(m) * m);
+}
+
+TEST(ImageInfiniteLight, IlluminanceOfAWhiteSkyIsPi) {
+    for (const int n : {1, 2, 3, 4, 5, 7, 16, 33, 64, 256, 1000}) {
+        Image image({n, n}, {"R", "G", "B"});
+        std::fill(image.Data().begin(), image.Data().end(), 1.f);
+        // Luminance of white: three roundings of a matrix in float, 1e-6.
+        EXPECT_NEAR(ImageInfiniteLight::Illuminance(image, kSpace), double(Pi), 4e-6) << n;
+    }
+}
+
+/// One texel after another, of which the horizon cuts some: together white, each as quadrature has
+/// it.
+TEST(ImageInfiniteLight, IlluminanceOfEachTexelIsItsIntegral) {
+    for (const int n : {1, 2, 3, 4, 5}) {
+        double sum = 0;
+        for (int i = 0; i < n * n; ++i) {
+            Image sun({n, n}, {"R", "G", "B"});
+            for (int c = 0; c < 3; ++c)
+                sun.Set({i % n, i / n}, c, 1);
+            const double got = ImageInfiniteLight::Illuminance(sun, kSpace);
+            sum += got;
+            // The horizon, where the integrand is 0 but has a kink, runs through some of the 200 x
+            // 200 cells: below 1e-4 of the whole; white as a sigmoid 1e-3.
+            EXPECT_NEAR(got, SummedIlluminance(sun, 200), 1e-4 + 2e-3 * got) << i << " of " << n;
+        }
+        EXPECT_NEAR(sum, double(Pi), 1e-5);
+    }
+}
+
+TEST(ImageInfiniteLight, WhatLiesBelowTheHorizonGivesNoIlluminanceAtAll) {
+    for (const int n : {4, 6, 7, 100}) {
+        Image image({n, n}, {"R", "G", "B"});
+        for (int y = 0; y < n; ++y)
+            for (int x = 0; x < n; ++x) {
+                // The texel's point nearest to the square's centre.
+                const auto nearest = [n](int i) {
+                    return std::max({0, 2 * i - n, n - 2 * (i + 1)});
+                };
+                if (nearest(x) + nearest(y) >= n)
+                    for (int c = 0; c < 3; ++c)
+                        image.Set({x, y}, c, 1e6f);
+            }
+        EXPECT_EQ(ImageInfiniteLight::Illuminance(image, kSpace), 0) << n;
+    }
+}
+
 using ImageInfiniteLightFiles = TempFolder;
+
+TEST_F(ImageInfiniteLightFiles, OfOneAndFourTexelsMeetTheTargetIlluminance) {
+    for (const int n : {1, 2}) {
+        Image image({n, n}, {"R", "G", "B"});
+        std::fill(image.Data().begin(), image.Data().end(), 0.5f);
+        ASSERT_EQ(WriteImage(image, Path("sky.exr"), ExrPixels::Float), std::nullopt);
+        const LightScene s(
+            "LightSource \"infinite\" \"string filename\" \"sky.exr\" \"float illuminance\" 5",
+            folder.string());
+        const auto &light = std::get<ImageInfiniteLight>(s.Only());
+        EXPECT_NEAR(Luminance(light.Le({0, 0, 1}, kLambda), light.sky->illuminant, kLambda),
+                    5 / double(Pi), 2e-3);
+    }
+}
 
 TEST_F(ImageInfiniteLightFiles, MeetTheTargetIlluminance) {
     ASSERT_EQ(WriteImage(Sky(32), Path("sky.exr"), ExrPixels::Float), std::nullopt);
@@ -179,6 +257,16 @@ TEST_F(ImageInfiniteLightFiles, MeetTheTargetIlluminance) {
                     double(w.z * Luminance(light.Le(w, kLambda), light.sky->illuminant, kLambda));
         }
     EXPECT_NEAR(sum * 4 * double(Pi) / (m * m), 40, 0.4);
+}
+
+TEST_F(ImageInfiniteLightFiles, SayWhatOfThemIsNotRead) {
+    WriteExrParts(Path("sky.exr"), {"left", "right"}, {2, 2});
+    const LightScene s("LightSource \"infinite\" \"string filename\" \"sky.exr\"", folder.string());
+    EXPECT_EQ(s.lights.size(), 1u);
+    EXPECT_EQ(s.Messages(),
+              "l.pbrt:2:24: " + Path("sky.exr") +
+                  ": has 2 parts, of which only the first, \"left\", is read (others: "
+                  "\"right\")\n");
 }
 
 TEST_F(ImageInfiniteLightFiles, AreCheckedForWhatTheyMustBe) {

@@ -1,3 +1,5 @@
+#include <tuple>
+
 #include "pbrt/lights/light_sampler.h"
 
 #include "lights/light_scene.h"

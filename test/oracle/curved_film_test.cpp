@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "oracle/curved_film.h"
 
 #include <gtest/gtest.h>

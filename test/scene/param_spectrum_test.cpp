@@ -106,8 +106,53 @@ TEST_F(ParamSpectrumFile, NamesComeBeforeFiles) {
     ExpectSame(*named.spectrum, *GetNamedSpectrum("metal-Cu-k"));
     const Read file =
         ReadSpectrum("\"spectrum s\" \"mine.spd\"", SpectrumType::Unbounded, folder.string());
-    EXPECT_EQ(file.messages, Texts{});
     EXPECT_EQ((*file.spectrum)(450), 2);
+}
+
+TEST_F(ParamSpectrumFile, MeasurementsKeepTheirEndsOnSurfacesOnly) {
+    Write("mine.spd", "400 1\n700 3\n");
+    for (const SpectrumType role :
+         {SpectrumType::Albedo, SpectrumType::Unbounded, SpectrumType::Illuminant}) {
+        const Read read = ReadSpectrum("\"spectrum s\" \"mine.spd\"", role, folder.string());
+        const bool isLight = role == SpectrumType::Illuminant;
+        for (const float lambda : {360.f, 399.f})
+            EXPECT_EQ((*read.spectrum)(lambda), isLight ? 0 : 1) << lambda;
+        for (const float lambda : {701.f, 830.f})
+            EXPECT_EQ((*read.spectrum)(lambda), isLight ? 0 : 3) << lambda;
+        EXPECT_EQ((*read.spectrum)(550), 2);
+        EXPECT_EQ(read.messages,
+                  Texts{"test.pbrt:2:30: \"mine.spd\" covers 400 to 700 nm of 360 to "
+                        "830: outside, surfaces have its end values and lights are "
+                        "dark"});
+    }
+}
+
+TEST_F(ParamSpectrumFile, AShortOneIsWarnedOfOnce) {
+    Write("mine.spd", "400 1\n700 3\n");
+    const auto parsed = ParseWorld(
+        "LightSource \"l\" \"spectrum s\" \"mine.spd\" "
+        "LightSource \"l\" \"spectrum s\" \"mine.spd\"");
+    for (const Entity &l : parsed->scene.lights)
+        for (const SpectrumType role : {SpectrumType::Albedo, SpectrumType::Illuminant}) {
+            ParamDict d(l.params, l.loc, "light \"l\"", l.colorSpace, &parsed->log,
+                        folder.string());
+            EXPECT_TRUE(d.GetOneSpectrum("s", role));
+        }
+    EXPECT_EQ(parsed->Messages().size(), 1u);
+}
+
+TEST_F(ParamSpectrumFile, NothingIsSaidWhereNothingIsMissing) {
+    const auto said = [&](const std::string &text) {
+        Write("mine.spd", text);
+        return ReadSpectrum("\"spectrum s\" \"mine.spd\"", SpectrumType::Albedo, folder.string())
+            .messages;
+    };
+    EXPECT_EQ(said("360 1 830 1"), Texts{});
+    EXPECT_EQ(said("300 1 900 1"), Texts{});
+    EXPECT_EQ(said("400 0 500 1 600 0"), Texts{});
+    EXPECT_EQ(said("300 1 829 1").size(), 1u);
+    EXPECT_EQ(said("361 1 830 0").size(), 1u);
+    EXPECT_EQ(said("550 1").size(), 1u);
 }
 
 TEST_F(ParamSpectrumFile, NeitherNameNorFile) {

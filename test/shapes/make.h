@@ -21,7 +21,6 @@ inline Made Make(std::string_view text, std::string_view dir = "") {
                          entity.colorSpace, &parsed->log, std::string(dir));
         for (Shape &s : CreateShapes(entity, params, entity.worldFromObject[0]))
             made.shapes.push_back(std::move(s));
-        params.ReportUnused();
     }
     made.messages = parsed->Messages();
     return made;

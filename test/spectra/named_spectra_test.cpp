@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <string>
 
 #include "pbrt/spectra/spectrum.h"
@@ -19,6 +20,15 @@ float Reflectance(const std::string &metal, float lambda) {
     const float n = Get("metal-" + metal + "-eta")(lambda),
                 k = Get("metal-" + metal + "-k")(lambda);
     return (Sqr(n - 1) + Sqr(k)) / (Sqr(n + 1) + Sqr(k));
+}
+
+TEST(NamedSpectra, IndicesAndReflectancesCoverTheVisibleRange) {
+    for (const std::string_view name : NamedSpectrumNames()) {
+        const bool isIndex = name.ends_with("-eta") || name.starts_with("glass-");
+        if (!isIndex && name != "keratin" && name != "melanin") continue;
+        for (float lambda = 360; lambda <= 830; ++lambda)
+            EXPECT_GT((*GetNamedSpectrum(name))(lambda), 0) << name << " at " << lambda;
+    }
 }
 
 TEST(NamedSpectra, HoldThoseOfTheSceneLanguage) {

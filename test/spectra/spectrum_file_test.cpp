@@ -35,6 +35,9 @@ TEST_F(SpectrumFile, ErrorsNameFileAndLine) {
         {"400 1\n\n400 2\n", ":3: wavelength 400 is not greater"},
         {"400 1 500\n", "ends with a wavelength that has no value"},
         {"# nothing\n", "holds no spectrum"},
+        {"0.3 1 0.7 1", "covers 0.3 to 0.7 nm, nothing of 360 to 830; are these micrometres?"},
+        {"900 1 1700 1", "covers 900 to 1700 nm, nothing of 360 to 830"},
+        {"200 1 359 1", "covers 200 to 359 nm, nothing of 360 to 830"},
     };
     for (const auto &[text, message] : cases) {
         const auto read = Read(text);
@@ -42,6 +45,16 @@ TEST_F(SpectrumFile, ErrorsNameFileAndLine) {
         EXPECT_NE(read.error.find(message), std::string::npos) << read.error;
         EXPECT_NE(read.error.find("curve.spd"), std::string::npos) << read.error;
     }
+}
+
+TEST(SpectrumPoints, EndsAreHeldOutToTheVisibleRange) {
+    using Floats = std::vector<float>;
+    const SpectrumPoints held = HoldingEnds({{400, 700}, {1, 3}});
+    EXPECT_EQ(held.lambda, (Floats{360, 400, 700, 830}));
+    EXPECT_EQ(held.values, (Floats{1, 1, 3, 3}));
+    EXPECT_EQ(HoldingEnds({{550}, {2}}).values, (Floats{2, 2, 2}));
+    const SpectrumPoints wide = HoldingEnds({{360, 500, 900}, {1, 2, 3}});
+    EXPECT_EQ(wide.lambda, (Floats{360, 500, 900}));
 }
 
 TEST_F(SpectrumFile, MissingIsAnError) {

@@ -1,5 +1,6 @@
 #include "pbrt/image/image.h"
 #include "pbrt/textures/mipmap.h"
+#include "support/exr_parts.h"
 #include "support/temp_folder.h"
 #include "textures/texture_scene.h"
 
@@ -104,7 +105,112 @@ TEST_F(ImageTextures, ShareOnePicture) {
                          folder.string());
     EXPECT_EQ(s.Messages(), "");
     EXPECT_EQ(s.named.images.size(), 1u);
-    EXPECT_FALSE(s.named.readFootprints);
+}
+
+/// 2 x 1 texels of red (1, 0.25, 0.25) and alpha 51 / 255 and 1.
+Image SeeThrough(std::vector<std::string> channels = {"R", "G", "B", "A"}) {
+    Image image({2, 1}, std::move(channels));
+    for (int x = 0; x < 2; ++x)
+        for (int c = 0; c < image.NChannels(); ++c)
+            image.Set({x, 0}, c, c == 0 ? 1 : 0.25f);
+    for (int x = 0; x < 2; ++x)
+        image.Set({x, 0}, image.NChannels() - 1, x == 0 ? 51 / 255.f : 1);
+    return image;
+}
+
+TEST_F(ImageTextures, FloatsAreAlphaWhereThePictureHasIt) {
+    for (const std::string name : {"a.png", "a.exr"})
+        for (const ExrPixels pixels : {ExrPixels::Half, ExrPixels::Float}) {
+            ASSERT_EQ(WriteImage(SeeThrough(), Path(name), pixels), std::nullopt);
+            const TextureScene s("Texture \"c\" \"spectrum\" \"imagemap\" \"string filename\" \"" +
+                                     name + "\" \"string filter\" \"point\"\n" +
+                                     "Texture \"a\" \"float\" \"imagemap\" \"string filename\" \"" +
+                                     name + "\" \"string filter\" \"point\"\n" +
+                                     "Texture \"i\" \"float\" \"imagemap\" \"string filename\" \"" +
+                                     name + "\" \"bool invert\" true \"float scale\" .5\n",
+                                 folder.string());
+            // Half has 11 bits.
+            EXPECT_NEAR(s.Float("a").Evaluate(AtUV(0.25f, 0.5f)), 0.2f, 0.2f * 0x1p-11f);
+            EXPECT_EQ(s.Float("a").Evaluate(AtUV(0.75f, 0.5f)), 1);
+            EXPECT_NEAR(s.Float("i").Evaluate(AtUV(0.25f, 0.5f)), 0.9f, 1e-4f);
+            EXPECT_EQ(s.named.images.size(), 2u);
+            // Colour stays what it is.
+            const SampledSpectrum red =
+                s.Spectrum("c", SpectrumType::Albedo).Evaluate(AtUV(0.25f, 0.5f), kLambda);
+            const RGB c{1, 0.25f, 0.25f};
+            for (int i = 0; i < NSpectrumSamples; ++i)
+                EXPECT_NEAR(red[i], RGBColorSpace::sRGB().SampleAlbedo(c, kLambda)[i], 5e-3f);
+        }
+}
+
+TEST_F(ImageTextures, AlphaIsLinearWhateverTheEncoding) {
+    ASSERT_EQ(WriteImage(SeeThrough(), Path("a.png")), std::nullopt);
+    for (const std::string encoding : {"sRGB", "linear", "gamma 2.2"}) {
+        const TextureScene s(
+            "Texture \"a\" \"float\" \"imagemap\" \"string filename\" \"a.png\" "
+            "\"string filter\" \"point\" \"string encoding\" \"" +
+                encoding + "\"",
+            folder.string());
+        EXPECT_EQ(s.Float("a").Evaluate(AtUV(0.25f, 0.5f)), 51 / 255.f) << encoding;
+    }
+}
+
+TEST_F(ImageTextures, FloatsAreTheMeanWhereAlphaSaysNothing) {
+    Image image = SeeThrough();
+    image.Set({0, 0}, 3, 1);
+    ASSERT_EQ(WriteImage(image, Path("opaque.exr"), ExrPixels::Float), std::nullopt);
+    ASSERT_EQ(WriteImage(SeeThrough({"Y", "A"}), Path("gray.exr"), ExrPixels::Float), std::nullopt);
+    const TextureScene s(R"(
+        Texture "o" "float" "imagemap" "string filename" "opaque.exr"
+        Texture "c" "spectrum" "imagemap" "string filename" "opaque.exr"
+        Texture "g" "float" "imagemap" "string filename" "gray.exr"
+    )",
+                         folder.string());
+    EXPECT_FLOAT_EQ(s.Float("o").Evaluate(AtUV(0.25f, 0.5f)), 0.5f);
+    EXPECT_EQ(s.Float("g").Evaluate(AtUV(0.25f, 0.5f)), 1);  // pbrt-v4 reads Y
+    EXPECT_EQ(s.named.images.size(), 2u);
+}
+
+TEST_F(ImageTextures, AlphaAloneIsOneChannel) {
+    ASSERT_EQ(WriteImage(SeeThrough(), Path("a.png")), std::nullopt);
+    const TextureScene s(R"(
+        Texture "a" "float" "imagemap" "string filename" "a.png"
+        Texture "b" "float" "imagemap" "string filename" "a.png" "string filter" "ewa"
+    )",
+                         folder.string());
+    EXPECT_EQ(s.Messages(), "");
+    ASSERT_EQ(s.named.images.size(), 1u);
+    EXPECT_EQ(s.named.images.begin()->second->NChannels(), 1);
+}
+
+TEST_F(ImageTextures, WarnOnceOfPartsThatAreNotRead) {
+    WriteExrParts(Path("a.exr"), {"left", "right"}, {2, 2});
+    const TextureScene s(R"(
+        Texture "a" "float" "imagemap" "string filename" "a.exr"
+        Texture "b" "spectrum" "imagemap" "string filename" "a.exr" "string encoding" "linear"
+    )",
+                         folder.string());
+    EXPECT_EQ(s.Messages(),
+              "t.pbrt:3:40: " + Path("a.exr") +
+                  ": has 2 parts, of which only the first, \"left\", is read (others: "
+                  "\"right\")\n");
+    EXPECT_EQ(s.named.floats.at("a").Evaluate(AtUV(0.5f, 0.5f)), 1);
+}
+
+TEST_F(ImageTextures, NoteWhoLooksAtUV) {
+    WriteQuad(Path("a.exr"), kTexels);
+    const TextureScene s(R"(
+        Texture "a" "float" "imagemap" "string filename" "a.exr"
+        Texture "p" "float" "imagemap" "string filename" "a.exr" "string mapping" "planar"
+        Texture "c" "spectrum" "checkerboard"
+        Texture "cubes" "spectrum" "checkerboard" "integer dimension" 3
+        Texture "s" "float" "scale" "texture scale" "a"
+        Texture "m" "spectrum" "mix" "texture tex1" "c"
+        Texture "n" "spectrum" "mix" "texture tex1" "cubes"
+    )",
+                         folder.string());
+    EXPECT_EQ(s.Messages(), "");
+    EXPECT_EQ(s.named.readUV, (std::set<std::string>{"a", "c", "s", "m"}));
 }
 
 TEST_F(ImageTextures, PassTheFootprintOn) {
@@ -112,14 +218,19 @@ TEST_F(ImageTextures, PassTheFootprintOn) {
     image.Set({3, 3}, 0, 64);
     ASSERT_EQ(WriteImage(image, Path("a.exr"), ExrPixels::Float), std::nullopt);
     const TextureScene s(R"(
-        Texture "t" "float" "imagemap" "string filename" "a.exr" "string filter" "trilinear"
+        Texture "point" "float" "imagemap" "string filename" "a.exr" "string filter" "point"
+        Texture "bilinear" "float" "imagemap" "string filename" "a.exr"
+        Texture "trilinear" "float" "imagemap" "string filename" "a.exr" "string filter" "trilinear"
+        Texture "ewa" "float" "imagemap" "string filename" "a.exr" "string filter" "ewa"
     )",
                          folder.string());
     EXPECT_TRUE(s.named.readFootprints);
-    TextureEvalContext ctx = AtUV(0.1f, 0.1f);
-    EXPECT_EQ(s.Float("t").Evaluate(ctx), 0);
-    ctx.dudx = ctx.dvdy = 1;
-    EXPECT_NEAR(s.Float("t").Evaluate(ctx), 1, 1e-5);
+    for (const std::string filter : {"point", "bilinear", "trilinear", "ewa"}) {
+        TextureEvalContext ctx = AtUV(0.1f, 0.1f);
+        EXPECT_EQ(s.Float(filter).Evaluate(ctx), 0) << filter;
+        ctx.dudx = ctx.dvdy = 1;
+        EXPECT_NEAR(s.Float(filter).Evaluate(ctx), 1, 1e-5) << filter;
+    }
 }
 
 }  // namespace

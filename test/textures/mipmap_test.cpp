@@ -20,8 +20,18 @@ Image Picture(Point2i resolution, int nChannels, uint32_t seed) {
     return image;
 }
 
-std::shared_ptr<const MIPMap> Map(const Image &image, bool pyramid = true) {
-    return MIPMap::Create(image, kSRGB, pyramid);
+std::shared_ptr<const MIPMap> Map(const Image &image) {
+    return MIPMap::Create(image, kSRGB);
+}
+/// The pyramid of which the level is the finest.
+std::shared_ptr<const MIPMap> MapOfLevel(const MIPMap &map, int level) {
+    const TexelGrid &grid = map.Level(level);
+    const auto [width, height] = grid.Resolution();
+    Image image({width, height}, {"Y"});
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            image.Set({x, y}, 0, grid.Get<float>(x, y));
+    return Map(image);
 }
 
 TextureSampling Sampling(TextureFilter filter, WrapMode wrap = WrapMode::Repeat) {
@@ -94,9 +104,61 @@ TEST(Pyramid, EveryLevelKeepsTheMean) {
     }
 }
 
-TEST(Pyramid, IsMadeOnlyWhereAskedFor) {
-    EXPECT_EQ(Map(Picture({8, 8}, 1, 1), false)->NLevels(), 1);
-    EXPECT_EQ(Map(Picture({8, 8}, 1, 1), true)->NLevels(), 4);
+TEST(Pyramid, CostsAThirdMoreAndFourThirdsOfBytes) {
+    Image image({64, 64}, {"R", "G", "B"});
+    const size_t values = image.Data().size(), others = values / 4 * 4 / 3 - 1;
+    EXPECT_EQ(Map(image)->NLevels(), 7);
+    EXPECT_NEAR(double(Map(image)->MemoryBytes()), 4. * double(values + others), 16);
+    image.metadata.storedAs = "8-bit";
+    EXPECT_NEAR(double(Map(image)->MemoryBytes()), double(values + 4 * others), 16);
+}
+
+/// pbrt-v4's rule: levels - 1 + log2 of twice the footprint's largest component, rounded down.
+TEST(PointAndBilinear, LookUpTheLevelThatFits) {
+    for (const Point2i res : {Point2i{64, 64}, Point2i{64, 4}, Point2i{4, 64}, Point2i{100, 70}}) {
+        const auto map = Map(Picture(res, 1, 5));
+        const int last = map->NLevels() - 1;
+        EXPECT_EQ(last, 6);
+        const Point2f st{0.37f, 0.61f};
+        // Widths of the last but one level's texel and less, a little to either side of a step.
+        for (int level = 0; level <= last; ++level) {
+            const auto only = MapOfLevel(*map, level);
+            for (const float width : {std::exp2(float(level - last)) / 2 * 1.0001f,
+                                      std::exp2(float(level - last)) * 0.9999f})
+                for (const Footprint &f : {Footprint{width, 0, 0, 0}, Footprint{0, -width, 0, 0},
+                                           Footprint{0, 0, -width, 0},
+                                           Footprint{width / 2, width / 3, width / 4, width}})
+                    for (auto filter : {TextureFilter::Point, TextureFilter::Bilinear})
+                        EXPECT_EQ(map->Lookup<float>(st, f, Sampling(filter)),
+                                  only->Lookup<float>(st, {}, Sampling(filter)))
+                            << width << " on level " << level << " of " << res.x << " x " << res.y;
+        }
+    }
+}
+
+TEST(PointAndBilinear, TakeEveryFootprint) {
+    const Image image = Picture({16, 16}, 1, 6);
+    const auto map = Map(image);
+    const float mean = map->Level(4).Get<float>(0, 0);
+    constexpr float kInf = std::numeric_limits<float>::infinity();
+    for (auto filter : {TextureFilter::Point, TextureFilter::Bilinear, TextureFilter::Trilinear}) {
+        const auto at = [&](float width) {
+            return map->Lookup<float>({0.3f, 0.4f}, {width, 0, 0, 0}, Sampling(filter));
+        };
+        for (const float wide : {1.f, 1e8f, 1e30f, kInf})
+            EXPECT_NEAR(at(wide), mean, 1e-6f * mean);  // four weights
+        for (const float narrow : {1e-6f, 1e-30f, 1e-42f, std::nanf("")})
+            EXPECT_EQ(at(narrow), at(0));
+    }
+}
+
+TEST(Trilinear, AtAWholeLevelIsBilinear) {
+    const auto map = Map(Picture({64, 64}, 1, 5));
+    for (int level = 1; level <= 6; ++level) {
+        const Footprint f{std::exp2(float(level - 7)), 0, 0, 0};
+        EXPECT_EQ(map->Lookup<float>({0.3f, 0.7f}, f, Sampling(TextureFilter::Trilinear)),
+                  map->Lookup<float>({0.3f, 0.7f}, f, Sampling(TextureFilter::Bilinear)));
+    }
 }
 
 TEST(EveryFilter, KeepsAConstantPicture) {
@@ -197,16 +259,16 @@ TEST(EightBitPictures, StayBytesWithoutLoss) {
     Image image({16, 16}, {"R", "G", "B"});
     for (size_t i = 0; i < image.Data().size(); ++i)
         image.Data()[i] = kSRGB.ToLinear(float(i % 256) / 255);
-    const auto floats = Map(image, false);
+    const auto floats = Map(image);
     image.metadata.storedAs = "8-bit";
-    const auto bytes = Map(image, false);
-    EXPECT_EQ(bytes->MemoryBytes() * 4, floats->MemoryBytes());
+    const auto bytes = Map(image);
+    EXPECT_EQ(bytes->Level(0).MemoryBytes() * 4, floats->Level(0).MemoryBytes());
     for (int y = 0; y < 16; ++y)
         for (int x = 0; x < 16; ++x)
             EXPECT_EQ(bytes->Level(0).Get<RGB>(x, y), floats->Level(0).Get<RGB>(x, y));
     // A value between two codes: back to floats.
     image.Data()[5] = 0.5001f;
-    EXPECT_EQ(Map(image, false)->MemoryBytes(), floats->MemoryBytes());
+    EXPECT_EQ(Map(image)->MemoryBytes(), floats->MemoryBytes());
 }
 
 TEST(MIPMaps, TakeColourOrLuminanceOrTheOnlyChannel) {
@@ -214,6 +276,28 @@ TEST(MIPMaps, TakeColourOrLuminanceOrTheOnlyChannel) {
     EXPECT_EQ(Map(Image({2, 2}, {"A", "Y"}))->NChannels(), 1);
     EXPECT_EQ(Map(Image({2, 2}, {"depth"}))->NChannels(), 1);
     EXPECT_EQ(Map(Image({2, 2}, {"U", "V"})), nullptr);
+}
+
+TEST(MIPMaps, HaveAlphaWhereItIsNotOneEverywhere) {
+    Image image({3, 2}, {"R", "G", "B", "A"});
+    const auto setAlpha = [&](float v) {
+        for (int i = 0; i < 6; ++i)
+            image.Set({i % 3, i / 3}, 3, v);
+    };
+    EXPECT_TRUE(MIPMap::HasAlpha(image));  // 0 everywhere
+    EXPECT_TRUE(Map(image)->LeavesOutAlpha());
+    setAlpha(1);
+    EXPECT_FALSE(MIPMap::HasAlpha(image));
+    EXPECT_FALSE(Map(image)->LeavesOutAlpha());
+    image.Set({2, 1}, 3, 254 / 255.f);
+    EXPECT_TRUE(MIPMap::HasAlpha(image));
+    const auto alpha = MIPMap::CreateOfAlpha(image);
+    EXPECT_EQ(alpha->NChannels(), 1);
+    EXPECT_EQ(alpha->Level(0).Get<float>(2, 1), 254 / 255.f);
+    EXPECT_FALSE(alpha->LeavesOutAlpha());
+    EXPECT_FALSE(MIPMap::HasAlpha(Image({2, 2}, {"Y", "A"})));
+    EXPECT_FALSE(MIPMap::HasAlpha(Image({2, 2}, {"R", "G", "B"})));
+    EXPECT_FALSE(MIPMap::HasAlpha(Image({2, 2}, {"A"})));
 }
 
 }  // namespace

@@ -29,6 +29,18 @@ TEST(Diagnostics, ImmediateRepetitionsAreOneMessage) {
     EXPECT_EQ(log.Messages().size(), 3u);
 }
 
+TEST(Diagnostics, WarnsOnceOfTheSameWhereverItIsMet) {
+    Diagnostics log;
+    log.WarningOnce({"a.pbrt", 3, 7}, "one");
+    log.WarningOnce({"a.pbrt", 4, 7}, "two");
+    log.WarningOnce({"a.pbrt", 5, 7}, "one");
+    ASSERT_EQ(log.Messages().size(), 2u);
+    EXPECT_EQ(log.Messages()[0].text, "a.pbrt:3:7: one");
+    log.Warning({"a.pbrt", 6, 7}, "one");
+    EXPECT_EQ(log.Messages().size(), 3u);
+    EXPECT_EQ(log.ErrorCount(), 0);
+}
+
 TEST(Diagnostics, LongMessagesLoseTheirMiddle) {
     Diagnostics log;
     log.Error({"a.pbrt", 3, 7}, "begin " + std::string(1 << 20, 'x') + " end");

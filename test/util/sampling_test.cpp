@@ -4,6 +4,7 @@
 
 #include <array>
 #include <functional>
+#include <vector>
 
 #include "pbrt/util/rng.h"
 
@@ -66,7 +67,8 @@ TEST(Sampling, JacobianIsOneOverDensity) {
     const std::vector<Case> cases{
         {"disk", [](Point2f u) { return In3D(SampleUniformDiskConcentric(u)); },
          [](Vector3f) { return InvPi; }},
-        {"cosine", SampleCosineHemisphere<float>, [](Vector3f w) { return CosineHemispherePDF(w.z); }},
+        {"cosine", SampleCosineHemisphere<float>,
+         [](Vector3f w) { return CosineHemispherePDF(w.z); }},
         {"hemisphere", SampleUniformHemisphere, [](Vector3f) { return UniformHemispherePDF; }},
         {"sphere", SampleUniformSphere, [](Vector3f) { return UniformSpherePDF; }},
         {"cone", [](Point2f u) { return SampleUniformCone(u, 0.3f); },

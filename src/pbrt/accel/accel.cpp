@@ -6,7 +6,9 @@
 #endif
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
+#include <string_view>
 
 #include "pbrt/accel/impl.h"
 
@@ -37,6 +39,44 @@ bool IsUserGeometry(const Shape &shape) {
 
 bool IsInvisible(const Geometry &g) {
     return g.alpha.IsConstant() && g.alpha.Constant() <= 0;
+}
+
+struct InstructionSet {
+    const char *name;  ///< as Embree spells it
+    bool known;        ///< to this processor
+};
+
+/// Embree's instruction sets. Embree itself does not ask the processor when it is told one.
+std::vector<InstructionSet> InstructionSets() {
+#if defined(__x86_64__)
+    return {
+        {"sse4.2", bool(__builtin_cpu_supports("sse4.2"))},
+        {"avx", bool(__builtin_cpu_supports("avx"))},
+        {"avx2", bool(__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))},
+        {"avx512", bool(__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+                        __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
+                        __builtin_cpu_supports("avx512vl"))}};
+#else
+    return {};
+#endif
+}
+
+/// Embree's device configuration. The environment variable PBRT_EMBREE_ISA names the instruction
+/// set, for tests of what other processors do; without it Embree takes the widest that there is. On
+/// an unknown name *error says which there are.
+std::string DeviceConfiguration(int nThreads, std::string *error) {
+    std::string config = nThreads > 0 ? fmt::format("threads={}", nThreads) : "";
+    const char *const asked = std::getenv("PBRT_EMBREE_ISA");
+    if (!asked || !*asked) return config;
+    std::string names;
+    for (const InstructionSet &isa : InstructionSets()) {
+        if (!isa.known) continue;
+        if (isa.name == std::string_view(asked))
+            return fmt::format("{}{}isa={}", config, config.empty() ? "" : ",", isa.name);
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", isa.name);
+    }
+    *error = fmt::format("PBRT_EMBREE_ISA is \"{}\"; this processor knows: {}", asked, names);
+    return {};
 }
 
 /// What was freed in small pieces goes back to the system, which it does not by itself.
@@ -104,7 +144,8 @@ Accel::Impl::~Impl() {
 }
 
 void Accel::Impl::Build(int nThreads) {
-    const std::string config = nThreads > 0 ? fmt::format("threads={}", nThreads) : "";
+    const std::string config = DeviceConfiguration(nThreads, &error);
+    if (!error.empty()) return;
     device = rtcNewDevice(config.c_str());
     if (!device) {
         failure.Note(rtcGetDeviceError(nullptr), "it does not start");

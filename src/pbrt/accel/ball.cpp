@@ -4,18 +4,34 @@
 
 namespace pbrt {
 
+namespace {
+
+/// What the cosine of a right angle may be: Rotate's is 6e-17, for pi is rounded. It moves points
+/// along the normal by 2e-15 of the radius at most, where PlaceQuadric grants 4e-15.
+constexpr float kRightAngle = 1e-15f;
+
+/// Whether an axis of the map lies along one of space, as long as `scale`.
+bool IsStraight(Vector3f axis, float scale) {
+    const Vector3f a = Abs(axis);
+    int along = 0, across = 0;
+    for (int i = 0; i < 3; ++i) {
+        along += a[i] == scale;
+        across += a[i] <= kRightAngle * scale;
+    }
+    return along == 1 && across == 2;
+}
+
+}  // namespace
+
 std::optional<Ball> Ball::Of(const Shape &shape) {
     const auto *const sphere = std::get_if<Sphere>(&shape);
     if (!sphere || !sphere->IsFull()) return {};
     const Matrix4 &m = sphere->renderFromObject.Matrix();
-    float scale = 0;
-    for (int i = 0; i < 3; ++i) {
-        const Vector3f row = Abs(Vector3f{m[i][0], m[i][1], m[i][2]});
-        const Vector3f column = Abs(Vector3f{m[0][i], m[1][i], m[2][i]});
-        if (i == 0) scale = MaxComponent(row);
-        for (const Vector3f &v : {row, column})
-            if (MaxComponent(v) != scale || v.x + v.y + v.z != scale) return {};
-    }
+    const float scale = MaxComponent(Abs(Vector3f{m[0][0], m[0][1], m[0][2]}));
+    for (int i = 0; i < 3; ++i)
+        for (const Vector3f &axis :
+             {Vector3f{m[i][0], m[i][1], m[i][2]}, Vector3f{m[0][i], m[1][i], m[2][i]}})
+            if (!IsStraight(axis, scale)) return {};
     return Ball{{m[0][3], m[1][3], m[2][3]}, double(scale) * double(sphere->radius)};
 }
 

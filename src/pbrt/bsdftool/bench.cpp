@@ -4,6 +4,7 @@
 
 #include "pbrt/bsdftool/bench_cases.h"
 #include "pbrt/bsdftool/command_line.h"
+#include "pbrt/cli/options.h"
 
 namespace pbrt::bsdftool {
 namespace {
@@ -30,11 +31,10 @@ std::optional<Outcome> ParseOptions(Args args, Options *o) {
         "converged quadrature, and a film's reflectance beside the complex series.",
         "bsdftool bench");
     AddMaterial(&app, &o->common);
-    app.add_option("--rounds", o->rounds,
-                   "rounds of three passes, of which the fastest counts (default: 20)")
-        ->check(CLI::Range(1, 100000));
-    app.add_option("--pairs", o->pairs, "pairs of directions for errors (default: 1000)")
-        ->check(CLI::Range(1, 1000000));
+    cli::AddNumber(&app, "--rounds", &o->rounds, {.lo = 1, .hi = 100000},
+                   "rounds of three passes, of which the fastest counts (default: 20)");
+    cli::AddNumber(&app, "--pairs", &o->pairs, {.lo = 1, .hi = 1000000},
+                   "pairs of directions for errors (default: 1000)");
     app.add_option("--csv", o->csv, "file for the same table as CSV");
     return cli::Parse(&app, args);
 }

@@ -24,8 +24,8 @@ std::optional<Outcome> ParseOptions(Args args, Options *o) {
     app.add_option("--directions", o->directions,
                    "CSV file with the header wo_x,wo_y,wo_z,wi_x,wi_y,wi_z")
         ->required();
-    app.add_option("--wavelengths", o->wavelengths,
-                   "comma-separated, in nm (default: 450,550,650)");
+    app.add_option("--wavelengths", o->wavelengths, "in nm (default: 450,550,650)")
+        ->type_name("nm,nm,...");
     app.add_flag("--double", o->inDouble,
                  "evaluate the model in double precision with a converged quadrature");
     app.add_option("--outfile", o->outfile, "file for the lines (default: standard output)");

@@ -3,6 +3,7 @@
 
 #include "pbrt/bsdftool/command_line.h"
 #include "pbrt/bsdftool/energy.h"
+#include "pbrt/cli/options.h"
 
 namespace pbrt::bsdftool {
 namespace {
@@ -23,11 +24,13 @@ std::optional<Outcome> ParseOptions(Args args, Options *o) {
         "light out that meets a second barbule; it counts as absorbed.)",
         "bsdftool furnace");
     AddMaterial(&app, &o->common);
-    app.add_option("--thetas", o->thetas, "angles to the normal, degrees; beyond 90: from below");
+    app.add_option("--thetas", o->thetas, "angles to the normal, degrees; beyond 90: from below")
+        ->type_name("theta,theta,...");
     app.add_option("--phis", o->phis,
-                   "azimuths from x (across barbules) towards y (along them), degrees");
-    app.add_option("--samples", o->samples, "directions drawn per row and four wavelengths")
-        ->check(CLI::Range(16, 1 << 24));
+                   "azimuths from x (across barbules) towards y (along them), degrees")
+        ->type_name("phi,phi,...");
+    cli::AddNumber(&app, "--samples", &o->samples, {.lo = 16, .hi = 1 << 24},
+                   "directions drawn per row and four wavelengths");
     app.add_option("--csv", o->csv, "file for the same table as CSV");
     return cli::Parse(&app, args);
 }

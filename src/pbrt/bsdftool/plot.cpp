@@ -2,6 +2,7 @@
 
 #include "pbrt/bsdftool/command_line.h"
 #include "pbrt/bsdftool/scatterogram.h"
+#include "pbrt/cli/options.h"
 
 namespace pbrt::bsdftool {
 namespace {
@@ -22,22 +23,20 @@ std::optional<Outcome> ParseOptions(Args args, Options *o) {
         "bsdftool plot");
     AddMaterial(&app, &o->common);
     app.add_option("--light", o->lights,
-                   "theta,phi of the light, degrees; may be repeated (default: 30,0)")
-        ->allow_extra_args(false);
-    app.add_option("--value", o->value,
-                   "fcos (default): f times the cosine of the scattered direction; f: f itself")
-        ->check(CLI::IsMember({"fcos", "f"}));
-    app.add_option("--exposure", o->exposure,
-                   "factor of the PNG's values (default: such that one in a hundred is too bright)")
-        ->check(CLI::PositiveNumber);
-    app.add_option("--resolution", o->picture.resolution, "pixels across a disc (default: 256)")
-        ->check(CLI::Range(8, 4096));
-    app.add_option("--subpixels", o->picture.subpixels,
-                   "directions per pixel, each way (default: 2)")
-        ->check(CLI::Range(1, 64));
-    app.add_option("--wavelengths", o->picture.wavelengths,
-                   "how many make up a color (default: 40; films of many micrometres need more)")
-        ->check(CLI::Range(4, 4096));
+                   "where the light is, degrees; may be repeated (default: 30,0)")
+        ->allow_extra_args(false)
+        ->type_name("theta,phi");
+    cli::AddChoice(&app, "--value", &o->value, {"fcos", "f"},
+                   "fcos (default): f times the cosine of the scattered direction; f: f itself");
+    cli::AddNumber(
+        &app, "--exposure", &o->exposure, cli::kAboveZero,
+        "factor of the PNG's values (default: such that one in a hundred is too bright)");
+    cli::AddNumber(&app, "--resolution", &o->picture.resolution, {.lo = 8, .hi = 4096},
+                   "pixels across a disc (default: 256)");
+    cli::AddNumber(&app, "--subpixels", &o->picture.subpixels, {.lo = 1, .hi = 64},
+                   "directions per pixel, each way (default: 2)");
+    cli::AddNumber(&app, "--wavelengths", &o->picture.wavelengths, {.lo = 4, .hi = 4096},
+                   "how many make up a color (default: 40; films of many micrometres need more)");
     AddIlluminant(&app, &o->common);
     app.add_option("--exr", o->exr, "file for the values: linear sRGB without exposure");
     app.add_option("--png", o->png, "file for a sheet with axes");

@@ -1,5 +1,6 @@
 #include "pbrt/bsdftool/command_line.h"
 #include "pbrt/bsdftool/reflectance.h"
+#include "pbrt/cli/options.h"
 
 namespace pbrt::bsdftool {
 namespace {
@@ -17,15 +18,14 @@ std::optional<Outcome> ParseOptions(Args args, Options *o) {
         "bsdftool spectrum");
     AddMaterial(&app, &o->common);
     app.add_option("--thetas", o->thetas,
-                   "angles to the normal in degrees, [-90, 90] (default: 0 to 85 by 5)");
-    app.add_option("--phi", o->reflectance.phi,
-                   "azimuth from x (across barbules) towards y (along them), degrees (default: 0)")
-        ->check(CLI::Range(-360, 360));
-    app.add_option("--step", o->reflectance.step, "between wavelengths, nm (default: 2)")
-        ->check(CLI::Range(0.1, 50.0));
-    app.add_option("--samples", o->reflectance.samples,
-                   "directions drawn per angle and four wavelengths (default: 2048)")
-        ->check(CLI::Range(16, 1 << 24));
+                   "angles to the normal in degrees, [-90, 90] (default: 0 to 85 by 5)")
+        ->type_name("theta,theta,...");
+    cli::AddNumber(&app, "--phi", &o->reflectance.phi, {.lo = -360, .hi = 360},
+                   "azimuth from x (across barbules) towards y (along them), degrees (default: 0)");
+    cli::AddNumber(&app, "--step", &o->reflectance.step, {.lo = 0.1, .hi = 50},
+                   "between wavelengths, nm (default: 2)");
+    cli::AddNumber(&app, "--samples", &o->reflectance.samples, {.lo = 16, .hi = 1 << 24},
+                   "directions drawn per angle and four wavelengths (default: 2048)");
     AddIlluminant(&app, &o->common);
     app.add_option("--csv", o->csv, "file for theta,phi,lambda,reflectance and parts");
     app.add_option("--png", o->png, "file for a plot: curves, and a strip of colors");

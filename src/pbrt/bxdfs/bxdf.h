@@ -58,8 +58,12 @@ struct FAndPDF {
 
 /// A BxDF lives in the local frame (z the shading normal, x along dp/du); directions are unit and
 /// point away from the surface. f excludes the cosine; f and PDF are functions: no randomness.
-/// Both are 0 for delta lobes. Where they share much of their work, a BxDF also has
+/// Both are 0 for delta lobes. A BxDF may also have
+///   void Regularize()  blurs lobes sharper than alpha 0.3 (TrowbridgeReitz), for the integrator's
+///                      "regularize"; default: nothing here is so sharp
 ///   FAndPDF Both(Vector3f wo, Vector3f wi, TransportMode) const
+///                      f and PDF together; default: one after the other. For those that share
+///                      much of their work.
 template <typename B>
 concept BxDFModel = requires(const B b, Vector3f w, float u, Point2f u2, TransportMode mode) {
     { b.Flags() } -> std::same_as<BxDFFlags>;
@@ -67,5 +71,11 @@ concept BxDFModel = requires(const B b, Vector3f w, float u, Point2f u2, Transpo
     { b.PDF(w, w, mode) } -> std::same_as<float>;
     { b.Sample_f(w, u, u2, mode) } -> std::same_as<std::optional<BSDFSample>>;
 };
+
+/// Blurs what is sharp, if B is ever so.
+template <BxDFModel B>
+void Regularize(B &bxdf) {
+    if constexpr (requires { bxdf.Regularize(); }) bxdf.Regularize();
+}
 
 }  // namespace pbrt

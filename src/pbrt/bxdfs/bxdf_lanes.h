@@ -28,7 +28,7 @@ template <typename BxDF>
 class BxDFLanes {
   public:
     void Set(int i, const BxDF &bxdf) { lanes[size_t(i)].emplace(bxdf); }
-    void Regularize(int i) { lanes[size_t(i)]->Regularize(); }
+    void Regularize(int i) { pbrt::Regularize(*lanes[size_t(i)]); }
     BxDFFlags Flags(int i) const { return lanes[size_t(i)]->Flags(); }
 
     BxDFValues Evaluate(const WideVector3f &wo, const WideVector3f &wi, LaneBits active) const {

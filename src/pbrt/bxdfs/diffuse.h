@@ -28,8 +28,6 @@ class DiffuseBxDF {
         return BSDFSample{f0, wi, CosineHemispherePDF(AbsCosTheta(wi)),
                           BxDFFlags::Diffuse | BxDFFlags::Reflection};
     }
-    /// As blurred as can be.
-    void Regularize() {}
 
   private:
     SampledSpectrum f0;

@@ -37,8 +37,6 @@ class DiffuseTransmissionBxDF {
             f, wi, Chance(reflects) * CosineHemispherePDF(AbsCosTheta(wi)),
             BxDFFlags::Diffuse | (reflects ? BxDFFlags::Reflection : BxDFFlags::Transmission)};
     }
-    /// As blurred as can be.
-    void Regularize() {}
 
   private:
     float Chance(bool reflects) const {

@@ -57,8 +57,6 @@ class FeatherBarbuleBxDF {
     }
     /// Fraction of light from w that passes straight through.
     float GapFraction(Vector3f w) const { return barbule.GapFraction(Local(w)); }
-    /// Nothing here is sharper than the opening makes it.
-    void Regularize() {}
 
   private:
     static feather::Direction<float> Local(Vector3f w) { return {w.x, w.y, w.z}; }

@@ -46,8 +46,6 @@ class HairBxDF {
         return {Sum(view, densities, wi), SumOf(densities * view.chance)};
     }
     std::optional<BSDFSample> Sample_f(Vector3f wo, float uc, Point2f u, TransportMode) const;
-    /// Nothing to do: beta_m and beta_n bound how sharp it gets.
-    void Regularize() {}
 
   private:
     static constexpr int kLobes = 4;

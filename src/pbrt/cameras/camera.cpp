@@ -2,14 +2,16 @@
 
 #include <fmt/format.h>
 
+#include "pbrt/util/range.h"
+
 namespace pbrt {
 namespace {
 
 constexpr std::array<std::string_view, 2> kNames{"perspective", "orthographic"};
 constexpr NumberRow kFov{"fov", "deg", 90, 1e-3f, 179.9f, "field of view of the shorter axis"};
-constexpr NumberRow kLensRadius{"lensradius", "", 0, 0, 1e30f, "radius of the thin lens"};
-constexpr NumberRow kFocalDistance{"focaldistance", "",    1e6f,
-                                   1e-30f,          1e30f, "distance of the plane in focus"};
+constexpr NumberRow kLensRadius{"lensradius", "", 0, 0, kFarthest, "radius of the thin lens"};
+constexpr NumberRow kFocalDistance{
+    "focaldistance", "", 1e6f, kShortestVector, kLongestVector, "distance of the plane in focus"};
 constexpr NumberRow kAspect{"frameaspectratio", "", 1, 1e-6f, 1e6f, "width over height"};
 constexpr NumberRow kShutterOpen{"shutteropen", "", 0, -1e30f, 1e30f, "time"};
 constexpr NumberRow kShutterClose{"shutterclose", "", 1, -1e30f, 1e30f, "time"};
@@ -33,14 +35,35 @@ ScreenWindow ReadScreenWindow(ParamDict &params, Point2i resolution) {
     return w;
 }
 
-Transform RenderFromCamera(const Transform &worldFromCamera, std::string_view space) {
-    if (space == "camera") return {};
-    if (space == "world") return worldFromCamera;
-    const Point3f eye = worldFromCamera.Point({0, 0, 0});
-    return Transform::Translate(-eye) * worldFromCamera;
+struct Spaces {
+    Transform renderFromCamera, renderFromWorld;
+};
+
+/// Each directly, for a product of one with the other's inverse, both rounded, would skew the world
+/// against the camera by 1e-8 of its coordinates.
+Spaces ChooseSpaces(const Transform &cameraFromWorld, std::string_view space) {
+    if (space == "camera") return {{}, cameraFromWorld};
+    const Transform worldFromCamera = cameraFromWorld.Inverse();
+    if (space == "world") return {worldFromCamera, {}};
+    const Transform fromEye = Transform::Translate(-worldFromCamera.Point({0, 0, 0}));
+    return {fromEye * worldFromCamera, fromEye};
 }
 
 }  // namespace
+
+bool Camera::SetOrigins(Point2i resolution) {
+    const Vector3f lens = lensRadius * (Abs(right) + Abs(up));
+    bool safe = HasSafeLength(forward);
+    for (int i = 0; i < 4; ++i) {
+        const Point2f corner{i & 1 ? float(resolution.x) : 0, i & 2 ? float(resolution.y) : 0};
+        const Point3f o = OriginAt(corner);
+        const Vector3f d = DirectionAt(corner);
+        origins.Grow({o - lens, o + lens});
+        safe = safe && HasSafeLength(d);
+        if (lensRadius > 0) safe = safe && HasSafeLength((focalDistance / DotAxis(d)) * d);
+    }
+    return safe && IsInRange(origins);
+}
 
 Camera Camera::Create(const Description &scene, Point2i resolution, Diagnostics &log) {
     const std::string type = scene.camera.type.empty() ? "perspective" : scene.camera.type;
@@ -72,9 +95,9 @@ Camera Camera::Create(const Description &scene, Point2i resolution, Diagnostics 
     c.timeClose = rayTime(c.shutterClose);
 
     c.cameraFromWorld = scene.cameraFromWorld[0];
-    const Transform worldFromCamera = c.cameraFromWorld.Inverse();
-    c.renderFromCamera = pbrt::RenderFromCamera(worldFromCamera, scene.options.renderCoordSys);
-    c.renderFromWorld = c.renderFromCamera * c.cameraFromWorld;
+    const Spaces spaces = ChooseSpaces(c.cameraFromWorld, scene.options.renderCoordSys);
+    c.renderFromCamera = spaces.renderFromCamera;
+    c.renderFromWorld = spaces.renderFromWorld;
 
     // Film (0, 0) is the screen's upper left corner.
     const float perX = (window.x1 - window.x0) / resolution.x,
@@ -91,6 +114,12 @@ Camera Camera::Create(const Description &scene, Point2i resolution, Diagnostics 
     c.right = vector({1, 0, 0}), c.up = vector({0, 1, 0});
     // Distance along the axis of a direction: exact also where the camera's transform scales.
     c.forward = vector(axis) / LengthSquared(vector(axis));
+    if (!c.SetOrigins(resolution))
+        params.Error(fmt::format(
+            "camera \"{}\": its transformation, screen window or lens makes rays that cannot be "
+            "traced: origins may have coordinates up to {:g}; directions, and distances to what is "
+            "in focus, be {:g} to {:g} long",
+            type, kFarthest, kShortestVector, kLongestVector));
     c.pixelAngle = orthographic ? 0 : perX * scale;
     c.pixelSize = orthographic ? perX : 0;
 

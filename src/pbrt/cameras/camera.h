@@ -53,11 +53,16 @@ class Camera {
     template <AnyFloat T>
     void ApproximateStep(Vec3<T> p, Vec3<T> n, float scale, Vec3<T> *dpdx, Vec3<T> *dpdy) const;
 
+    /// Holds the origins of all rays.
+    const Bounds3f &Origins() const { return origins; }
+
     bool HasLens() const { return lensRadius > 0; }
     float ShutterOpen() const { return shutterOpen; }
     float ShutterClose() const { return shutterClose; }
 
   private:
+    /// Sets origins; false where rays would be made with over- or underflow.
+    bool SetOrigins(Point2i resolution);
     float DotAxis(Vector3f d) const { return Dot(d, forward); }
     template <typename T>
     Vec3<T> OriginAt(Vec2<T> film) const {
@@ -81,6 +86,7 @@ class Camera {
     Point3f origin;
     Vector3f originPerX, originPerY, direction, directionPerX, directionPerY;
     Vector3f right, up, forward;
+    Bounds3f origins;
     float lensRadius = 0, focalDistance = 1e6f, shutterOpen = 0, shutterClose = 1;
     float timeOpen = 0, timeClose = 1;  ///< the shutter's in the time of rays, not clamped
     float pixelAngle = 0;               ///< steps per unit distance, perspective

@@ -3,14 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <vector>
 
+#include "pbrt/cli/help.h"
 #include "pbrt/cli/main.h"
 #include "pbrt/util/args.h"
 #include "pbrt/util/diagnostics.h"
+#include "pbrt/util/upstream.h"
 #include "pbrt/util/write_all.h"
 
 namespace pbrt::cli {
@@ -30,24 +30,28 @@ Outcome UnknownCommand(const Tool &tool, std::string_view name) {
     std::vector<std::string_view> names;
     for (const Command &command : tool.commands)
         names.push_back(command.name);
+    const std::string upstream = PbrtHasIt(fmt::format("command of {}", tool.name), name);
     return Failure(tool.name, fmt::format("unknown command \"{}\"{}\nexpected {}", Shortened(name),
-                                          DidYouMean(name, names), QuotedList(names)));
+                                          upstream.empty() ? DidYouMean(name, names) : upstream,
+                                          QuotedList(names)));
 }
 
-/// The first number option that is not a number, which a range would let pass; or nothing.
-std::string NaNOption(const CLI::App &app) {
-    for (const CLI::Option *option : app.get_options()) {
-        if (option->get_type_name().find("FLOAT") == std::string::npos) continue;
-        for (const std::string &word : option->results())
-            if (std::isnan(std::strtod(word.c_str(), nullptr)))
-                return fmt::format("{}: {} is no number", option->get_name(), Shortened(word));
-    }
-    return {};
+std::string Version() {
+    return "pbrt-feather " PBRT_VERSION;
+}
+
+/// Of an option given twice the last counts: wrappers append theirs.
+void LastOnesCount(CLI::App *app) {
+    for (CLI::Option *option : app->get_options([](CLI::Option *) { return true; }))
+        if (!option->get_positional() && option->get_items_expected_max() == 1)
+            option->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
 }
 
 }  // namespace
 
 Outcome Run(const Tool &tool, Args args) {
+    if (!args.empty() && (args[0] == "--version" || args[0] == "-version"))
+        return {0, Version() + "\n", {}};
     const bool wantsHelp = args.empty() || args[0] == "help" || args[0] == "--help" ||
                            args[0] == "-help" || args[0] == "-h";
     if (wantsHelp && args.size() < 2) return {0, Manual(tool), {}};
@@ -64,8 +68,11 @@ Outcome Failure(std::string_view tool, std::string_view reason) {
 }
 
 std::optional<Outcome> Parse(CLI::App *app, Args args) {
+    app->set_help_flag("--help", "print this");
+    app->set_version_flag("--version", Version(), "print the version");
     const std::string footer = app->get_footer();
-    app->footer(fmt::format("{}{}{}", footer, footer.empty() ? "" : "\n", kMemoryLimitHelp));
+    app->footer(fmt::format("{}{}{}\n", footer, footer.empty() ? "" : "\n", kMemoryLimitHelp));
+    LastOnesCount(app);
     NormalizedArgs normalized = NormalizeArgs(args, ArgOptionsOf(*app));
     const auto mistake = [&](std::string_view text) {
         return Outcome{1,
@@ -73,16 +80,20 @@ std::optional<Outcome> Parse(CLI::App *app, Args args) {
                        fmt::format("{}: {}\n(\"{} --help\" lists the options)\n", app->get_name(),
                                    Shortened(text, kLongestMessage), app->get_name())};
     };
+    const std::string upstream =
+        PbrtHasIt(fmt::format("option of {}", app->get_name()), normalized.unknown);
+    if (!upstream.empty()) return mistake("unknown option --" + normalized.unknown + upstream);
     if (!normalized.error.empty()) return mistake(normalized.error);
     std::reverse(normalized.args.begin(), normalized.args.end());  // CLI11 takes them from the back
     try {
         app->parse(normalized.args);
     } catch (const CLI::CallForHelp &) {
-        return Outcome{0, app->help(), {}};
+        return Outcome{0, Help(*app), {}};
+    } catch (const CLI::CallForVersion &e) {
+        return Outcome{0, std::string(e.what()) + "\n", {}};
     } catch (const CLI::ParseError &e) {
         return mistake(e.what());
     }
-    if (const std::string wrong = NaNOption(*app); !wrong.empty()) return mistake(wrong);
     return {};
 }
 

@@ -36,8 +36,9 @@ Outcome Run(const Tool &tool, Args args);
 /// The user's mistake: "<tool>: reason" and exit code 1.
 Outcome Failure(std::string_view tool, std::string_view reason);
 
-/// Fills the variables bound to `app`'s options, spelled as pbrt allows. Something is returned
-/// where the command ends here: help, or a mistake.
+/// Fills the variables bound to `app`'s options, spelled as pbrt allows; of an option given twice
+/// the last counts. Adds `--version`. Something is returned where the command ends here: help, the
+/// version, or a mistake.
 std::optional<Outcome> Parse(CLI::App *app, Args args);
 
 /// Prints it; the result is main's: 1 where standard output takes less than all of it.

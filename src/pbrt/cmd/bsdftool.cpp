@@ -1,3 +1,5 @@
+#include <vector>
+
 #include "pbrt/bsdftool/commands.h"
 
 #include "pbrt/cli/main.h"

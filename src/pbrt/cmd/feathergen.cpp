@@ -1,3 +1,5 @@
+#include <vector>
+
 #include "pbrt/feathergen/commands.h"
 
 #include "pbrt/cli/main.h"

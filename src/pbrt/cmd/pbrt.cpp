@@ -3,18 +3,20 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
-#include <sstream>
+#include <filesystem>
+#include <functional>
 
 #include "pbrt/cli/interrupts.h"
 #include "pbrt/cli/main.h"
+#include "pbrt/cli/options.h"
 #include "pbrt/cli/threads.h"
+#include "pbrt/cli/tool.h"
 #include "pbrt/cpu/build.h"
+#include "pbrt/cpu/mse_log.h"
 #include "pbrt/cpu/progress.h"
 #include "pbrt/cpu/statistics.h"
-#include "pbrt/util/args.h"
 #include "pbrt/util/atomic_file.h"
 #include "pbrt/util/say.h"
 #include "pbrt/util/write_all.h"
@@ -23,8 +25,6 @@ namespace pbrt {
 namespace {
 
 constexpr int kSuccess = 0, kUserError = 1;
-
-constexpr size_t kLongestMessage = 2000;
 
 struct Arguments {
     std::vector<std::string> files;
@@ -39,30 +39,42 @@ void DefineOptions(CLI::App &app, Arguments &a, std::vector<float> &crop, std::v
                    std::vector<int> &pixel, int &spp) {
     app.add_option("files", a.files, "scene files, in order; none: standard input");
     app.add_option("--outfile", a.overrides.film.outfile, "picture to write (.exr, .png, .pfm)");
-    app.add_option("--spp", spp, "samples per pixel")->check(CLI::PositiveNumber);
-    app.add_option("--target-error", a.overrides.targetError,
+    cli::AddNumber(&app, "--spp", &spp, {.lo = 1, .hi = kMaxSamplesPerPixel}, "samples per pixel");
+    cli::AddNumber(&app, "--target-error", &a.overrides.targetError, cli::kAboveZero,
                    "stop sampling tiles whose estimated relative error is below this, as in 0.02; "
-                   "--spp is the most")
-        ->check(CLI::PositiveNumber);
-    app.add_option("--nthreads", a.overrides.nThreads, "threads; default: all cores")
-        ->check(CLI::PositiveNumber);
-    app.add_option("--seed", a.options.seed, "of the samplers");
-    app.add_option("--cropwindow", crop, "x0,x1,y0,y1 in [0, 1]")->delimiter(',')->expected(4);
-    app.add_option("--pixelbounds", bounds, "x0,x1,y0,y1 in pixels")->delimiter(',')->expected(4);
-    app.add_option("--pixel", pixel, "x,y: this pixel only")->delimiter(',')->expected(2);
-    app.add_option("--render-coord-sys", a.options.renderCoordSys, "space to render in")
-        ->check(CLI::IsMember({"camera", "cameraworld", "world"}));
+                   "--spp is the most");
+    cli::AddNumber(&app, "--nthreads", &a.overrides.nThreads, cli::kAboveZero,
+                   "threads; default: all cores");
+    cli::AddNumber(&app, "--seed", &a.options.seed, {}, "of the samplers");
+    cli::AddNumbers(&app, "--cropwindow", &crop, "x0,x1,y0,y1", {},
+                    "this part of the picture only, which is [0, 1] x [0, 1]");
+    CLI::Option *const boundsOption =
+        cli::AddNumbers(&app, "--pixelbounds", &bounds, "x0,x1,y0,y1", {}, "these pixels only");
+    cli::AddNumbers(&app, "--pixel", &pixel, "x,y", {.lo = 0, .hi = kMaxResolution - 1},
+                    "this pixel only")
+        ->excludes(boundsOption);
+    cli::AddChoice(&app, "--render-coord-sys", &a.options.renderCoordSys,
+                   {"camera", "cameraworld", "world"}, "space to render in");
     app.add_flag("--quick", a.overrides.film.quick, "a quarter of the resolution, one sample");
     app.add_flag("--disable-pixel-jitter", a.options.disablePixelJitter, "pixel centres only");
     app.add_flag("--disable-wavelength-jitter", a.options.disableWavelengthJitter,
                  "the same wavelengths for every path");
     app.add_flag("--disable-texture-filtering", a.options.disableTextureFiltering,
                  "point-sampled textures");
+    app.add_flag("--force-diffuse", a.options.forceDiffuse,
+                 "every surface matt, reflecting as much as its material does");
+    app.add_option("--mse-reference-image", a.options.mseReferenceImage,
+                   "picture without noise, to tell the error of this one");
+    app.add_option("--mse-reference-out", a.options.mseReferenceOut,
+                   "file for lines \"spp, mean squared error\" at 1, 2, 4, ... samples per pixel");
     app.add_flag("--stats", a.stats, "print rays per second, memory and times");
     app.add_option("--stats-file", a.statsFile, "write the same as JSON to this file");
     app.add_flag("--quiet", a.quiet, "no progress, no warnings");
-    app.set_version_flag("--version", "pbrt-feather " PBRT_VERSION);
-    app.footer(std::string(cli::kMemoryLimitHelp));
+    app.footer(
+        "examples:\n"
+        "  pbrt scene.pbrt --spp 64 --outfile picture.exr\n"
+        "  pbrt --quick --cropwindow 0.25,0.75,0,1 scene.pbrt\n"
+        "  pbrt --target-error 0.02 --spp 4096 --stats scene.pbrt\n");
 }
 
 int Complain(const std::string &why) {
@@ -84,30 +96,13 @@ struct ParsedArguments {
 ParsedArguments ParseArguments(cli::Args words) {
     ParsedArguments result;
     Arguments &a = result.arguments;
-    CLI::App app{"pbrt-feather: a spectral path tracer for iridescent feathers"};
+    CLI::App app{"pbrt-feather: a spectral path tracer for iridescent feathers", "pbrt"};
     std::vector<float> crop;
     std::vector<int> bounds, pixel;
     int spp = 0;
     DefineOptions(app, a, crop, bounds, pixel, spp);
-    NormalizedArgs normal = NormalizeArgs(words, ArgOptionsOf(app));
-    if (!normal.error.empty()) {
-        Say(fmt::format("pbrt: {}\nRun pbrt --help for the list of options.\n",
-                        Shortened(normal.error, kLongestMessage)));
-        result.exitCode = kUserError;
-        return result;
-    }
-    std::reverse(normal.args.begin(), normal.args.end());  // CLI11 takes them from the back
-    try {
-        app.parse(normal.args);
-    } catch (const CLI::Success &e) {
-        std::ostringstream text;
-        app.exit(e, text, text);
-        result.exitCode = PrintOut(text.str());
-        return result;
-    } catch (const CLI::ParseError &e) {
-        Say(fmt::format("pbrt: {}\nRun pbrt --help for the list of options.\n",
-                        Shortened(e.what(), kLongestMessage)));
-        result.exitCode = kUserError;
+    if (const auto end = cli::Parse(&app, words)) {
+        result.exitCode = cli::Print(*end);
         return result;
     }
     if (spp > 0) a.overrides.spp = spp;
@@ -119,14 +114,18 @@ ParsedArguments ParseArguments(cli::Args words) {
     return result;
 }
 
+/// The first messages; a broken file can make thousands.
 void Print(const Diagnostics &log, bool quiet) {
+    constexpr int kMost = 50;
     const bool color = isatty(STDERR_FILENO) != 0;
+    int count = 0;
     for (const Message &m : log.Messages()) {
         const bool error = m.severity == Severity::Error;
-        if (quiet && !error) continue;
+        if ((quiet && !error) || ++count > kMost) continue;
         Say(fmt::format("{}{}{}: {}\n", color ? (error ? "\033[1;31m" : "\033[1;33m") : "",
                         error ? "Error" : "Warning", color ? "\033[0m" : "", m.text));
     }
+    if (count > kMost) Say(fmt::format("... and {} more messages like these.\n", count - kMost));
 }
 
 double Seconds(std::chrono::steady_clock::time_point since) {
@@ -171,24 +170,42 @@ int Stopped(const cli::Interrupts::Caught &by) {
     return by.exitCode;
 }
 
-int RenderAndWrite(World &world, const Arguments &a, const Times &times) {
+/// Reports what is wrong with the files that the error is to be told by.
+std::optional<MseLog> OpenMseLog(const World &world, Diagnostics &log) {
+    std::optional<MseLog> mse = MseLog::Create(world.options, world.film, log);
+    if (mse && world.targetError > 0)
+        log.Error({},
+                  "--target-error gives no pixel the same number of samples: leave it out, or "
+                  "\"msereferenceimage\"");
+    return mse;
+}
+
+int RenderAndWrite(World &world, const Arguments &a, const Times &times,
+                   std::optional<MseLog> &mse) {
     for (const std::string &file : {world.film.FileName(), a.statsFile})
         if (const auto why = file.empty() ? std::nullopt : WhyNotWritable(file))
             return Complain(*why);
     const cli::Interrupts interrupts;
     Progress progress("Rendering", a.quiet);
-    const auto stats = Render(world, a.overrides.nThreads, [&](int64_t done, int64_t total) {
-        progress.Update(done, total);
-        return !interrupts.First();
-    });
+    std::function<void(int)> afterWave;
+    if (mse) afterWave = [&](int samples) { mse->Add(world.film, samples); };
+    const auto stats = Render(
+        world, a.overrides.nThreads,
+        [&](int64_t done, int64_t total) {
+            progress.Update(done, total);
+            return !interrupts.First();
+        },
+        afterWave);
     progress.Finish(stats ? "done" : "stopped");
     if (!stats) return Stopped(*interrupts.First());
     if (!a.quiet) PrintRemarks(world);
-    if (const auto why = WriteImageSomewhere(Finished(world, *stats), world.film.FileName(),
-                                             world.film.Format())) {
+    Image image = Finished(world, *stats);
+    if (mse) image.metadata.mse = float(mse->Error());
+    if (const auto why = WriteImageSomewhere(image, world.film.FileName(), world.film.Format())) {
         const int failed = Complain(*why);
         return interrupts.First() ? interrupts.First()->exitCode : failed;
     }
+    if (mse && mse->Problem()) return Complain(*mse->Problem());
     return Report(CollectStatistics(world, *stats, times.parse, times.build), a);
 }
 
@@ -210,13 +227,15 @@ int Main(cli::Args words) {
     start = std::chrono::steady_clock::now();
     const std::unique_ptr<World> world = BuildWorld(scene, a.overrides, log);
     times.build = Seconds(start);
+    std::optional<MseLog> mse;
+    if (world) mse = OpenMseLog(*world, log);
     Print(log, a.quiet);
     if (!world || log.HasErrors()) {
         Say(fmt::format("{} error{}; no picture was written.\n", log.ErrorCount(),
                         log.ErrorCount() == 1 ? "" : "s"));
         return kUserError;
     }
-    return RenderAndWrite(*world, a, times);
+    return RenderAndWrite(*world, a, times, mse);
 }
 
 }  // namespace

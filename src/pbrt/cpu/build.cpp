@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "pbrt/cpu/build_shapes.h"
+#include "pbrt/cpu/instance_range.h"
 
 namespace pbrt {
 namespace {
@@ -130,8 +131,7 @@ std::unique_ptr<World> BuildWorld(Description &scene, const Overrides &overrides
     MaterialTable materials = BuildMaterials(scene, textures, *world, log);
     for (const Material &m : world->materials)
         world->plain.push_back(IsPlain(m));
-    const std::vector<EmissiveShape> emitters =
-        BuildShapes(scene, textures, materials, *world, log);
+    const BuiltShapes shapes = BuildShapes(scene, textures, materials, *world, log);
     if (log.HasErrors()) return nullptr;
 
     const uint32_t nTop = world->TopLevelGeometries();
@@ -141,7 +141,8 @@ std::unique_ptr<World> BuildWorld(Description &scene, const Overrides &overrides
         log.Error({}, world->accel->Error());
         return nullptr;
     }
-    BuildLights(scene, integrator.lightSampler, emitters, *world, log);
+    BuildLights(scene, integrator.lightSampler, shapes.emitters, *world, log);
+    CheckRaysInInstances(*world, shapes.instances, log);
     if (log.HasErrors()) return nullptr;
     return world;
 }

@@ -7,23 +7,52 @@
 namespace pbrt {
 namespace {
 
-/// A named material knows those defined before it, an unnamed one all.
-MaterialId AddMaterial(const Entity &entity, const Description &scene,
-                       const NamedTextures &textures, const NamedMaterials &named, World &world,
-                       Diagnostics &log) {
-    if (entity.type == InterfaceMaterial::kName) return kInterfaceId;
-    ParamDict params(entity.params, entity.loc, fmt::format("material \"{}\"", entity.type),
-                     entity.colorSpace, &log, scene.dir);
-    if (entity.type == MixMaterial::kName) {
-        world.mixes.push_back(MixMaterial::Create(params, textures, named));
-        params.ReportUnused();
-        return kFirstMix + int(world.mixes.size()) - 1;
+/// Makes materials and notes what of them goes by uv.
+class MaterialMaker {
+  public:
+    MaterialMaker(const Description &scene, const NamedTextures &textures, World &world,
+                  MaterialTable &table, Diagnostics &log)
+        : scene(scene), textures(textures), world(world), table(table), log(log) {}
+
+    /// A named material knows those defined before it, an unnamed one all.
+    MaterialId Add(const Entity &entity) {
+        if (entity.type == InterfaceMaterial::kName) return kInterfaceId;
+        ParamDict params(entity.params, entity.loc, fmt::format("material \"{}\"", entity.type),
+                         entity.colorSpace, &log, scene.dir);
+        const MaterialId id =
+            entity.type == MixMaterial::kName ? AddMix(params) : AddSingle(entity.type, params);
+        if (textures.AnyReadsUV(entity.params)) table.texturedByUV.insert(id);
+        return id;
     }
-    std::optional<Material> material = CreateMaterial(entity.type, params, textures);
-    if (!material) return kMissingMaterialId;
-    world.materials.push_back(std::move(*material));
-    return int(world.materials.size()) - 1;
-}
+
+  private:
+    MaterialId AddMix(ParamDict &params) {
+        const MaterialId id = kFirstMix + int(world.mixes.size());
+        world.mixes.push_back(MixMaterial::Create(params, textures, table.named));
+        params.ReportUnused();
+        for (const MaterialId part : world.mixes.back().materials) {
+            if (const auto laid = table.laidByUV.find(part); laid != table.laidByUV.end())
+                table.laidByUV.emplace(id, laid->second);
+            if (table.texturedByUV.contains(part)) table.texturedByUV.insert(id);
+        }
+        return id;
+    }
+    MaterialId AddSingle(std::string_view type, ParamDict &params) {
+        std::optional<Material> material = CreateMaterial(type, params, textures);
+        if (!material) return kMissingMaterialId;
+        const MaterialId id = int(world.materials.size());
+        if (const std::string_view laid = LaidByUV(*material); !laid.empty())
+            table.laidByUV.emplace(id, laid);
+        world.materials.push_back(std::move(*material));
+        return id;
+    }
+
+    const Description &scene;
+    const NamedTextures &textures;
+    World &world;
+    MaterialTable &table;
+    Diagnostics &log;
+};
 
 /// Finds directives that say the same: many scenes give every shape a material of its own, and few
 /// different ones.
@@ -55,11 +84,12 @@ class EqualMaterials {
 MaterialTable BuildMaterials(Description &scene, const NamedTextures &textures, World &world,
                              Diagnostics &log) {
     MaterialTable table;
+    MaterialMaker maker(scene, textures, world, table, log);
     // Growing, they would be there twice; room that is not used costs no memory.
     world.materials.reserve(1 + scene.namedMaterials.size() + scene.materials.size());
     world.materials.push_back(DiffuseMaterial{});
     for (const NamedMaterialEntity &entity : scene.namedMaterials)
-        table.named[entity.name] = AddMaterial(entity, scene, textures, table.named, world, log);
+        table.named[entity.name] = maker.Add(entity);
     EqualMaterials equals;
     while (!scene.materials.empty()) {
         const Entity &entity = scene.materials.Take();
@@ -69,7 +99,7 @@ MaterialTable BuildMaterials(Description &scene, const NamedTextures &textures, 
             continue;
         }
         const size_t messages = log.Messages().size();
-        table.unnamed.push_back(AddMaterial(entity, scene, textures, table.named, world, log));
+        table.unnamed.push_back(maker.Add(entity));
         if (log.Messages().size() == messages) equals.Note(content, table.unnamed.back());
     }
     return table;

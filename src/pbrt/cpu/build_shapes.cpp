@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "pbrt/cpu/instance_range.h"
 #include "pbrt/util/memory.h"
 #include "pbrt/util/motion.h"
 
@@ -15,6 +16,19 @@ constexpr double kBytesPerInstance = 700;
 constexpr double kMostIds = 4e9;
 constexpr NumberRow kAlpha{"alpha", "", 1, 0, 1, "coverage: below 1 is a random cut-out"};
 
+/// A mesh of several faces whose uv are not given: each face has those of its own corners.
+bool LacksUV(const Shape &shape) {
+    const auto lacks = [](const auto &mesh) { return mesh.uv.empty() && mesh.NPrimitives() > 1; };
+    if (const auto *triangles = std::get_if<TriangleMesh>(&shape)) return lacks(*triangles);
+    const auto *patches = std::get_if<BilinearMesh>(&shape);
+    return patches && lacks(*patches);
+}
+
+bool HasTangents(const Shape &shape) {
+    const auto *triangles = std::get_if<TriangleMesh>(&shape);
+    return triangles && !triangles->s.empty();
+}
+
 /// Builds geometries; keeps what the many shapes of a scene have in common.
 class ShapeBuilder {
   public:
@@ -27,19 +41,21 @@ class ShapeBuilder {
                          entity.colorSpace, &log, scene.dir);
         const FloatTexture alpha = GetFloatTexture(params, textures, kAlpha);
         std::vector<Shape> shapes = CreateShapes(entity, params, renderFromObject);
-        params.ReportUnused();
         const MaterialId material = MaterialOf(entity);
         if (material == kInterfaceId) {
             if (entity.areaLight)
                 log.Warning(entity.loc, "an area light on an interface gives no light");
             return;
         }
+        for (const Shape &shape : shapes)
+            if (LacksUV(shape)) WarnOfMissingUV(entity, material, HasTangents(shape));
         for (Shape &shape : shapes) {
             Geometry geometry;
             geometry.shape = std::move(shape);
             geometry.material = std::max(0, material);
             geometry.alpha = alpha;
             geometry.passesLight = world.LetsLightThrough(material);
+            if (instanced) objectBounds.Grow(Bounds(geometry.shape));
             if (entity.areaLight && !CanEmit(geometry.shape)) {
                 log.Error(entity.loc, "a curve cannot be an area light");
                 continue;
@@ -47,26 +63,30 @@ class ShapeBuilder {
             if (entity.areaLight && instanced)
                 log.Warning(entity.loc, "an area light in an object definition gives no light");
             else if (entity.areaLight)
-                emitters.push_back({uint32_t(world.geometries.size()), entity.areaLight});
+                built.emitters.push_back({uint32_t(world.geometries.size()), entity.areaLight});
             if (!JoinCurves(geometry)) world.geometries.push_back(std::move(geometry));
         }
     }
 
     /// From here on shapes belong to another object.
-    uint32_t StartObject() { return joinFrom = uint32_t(world.geometries.size()); }
+    uint32_t StartObject() {
+        objectBounds = {};
+        return joinFrom = uint32_t(world.geometries.size());
+    }
 
     /// Every use of an object, with the uses inside it, as one-deep instances. The parser has seen
     /// to it that the object exists and does not contain itself.
-    void AddInstance(const InstanceUse &use, const TransformPair &renderFromParent) {
+    void AddInstance(const InstanceUse &use, const TransformPair &renderFromParent,
+                     const FileLoc &loc) {
         if (InstancesOf(use.name) == 0) return;  // there may be 2^30 ways to nothing
         const ObjectEntity &object = scene.objects.at(use.name);
         TransformPair t;
         for (int i = 0; i < 2; ++i)
             t[i] = renderFromParent[i] * use.worldFromInstance[i];
         for (const ObjectPart &part : parts.at(use.name))
-            Place(part.object, {t[0] * part.inObject[0], t[1] * part.inObject[1]});
+            Place(part, {t[0] * part.inObject[0], t[1] * part.inObject[1]}, loc);
         for (const InstanceUse &inner : object.instances)
-            AddInstance(inner, t);
+            AddInstance(inner, t, loc);
     }
 
     /// The uses of the top level; refused where with all inside them they are more than fit.
@@ -88,7 +108,7 @@ class ShapeBuilder {
         }
         world.instances.reserve(size_t(total));
         for (const InstanceUse &use : uses)
-            AddInstance(use, {renderFromWorld, renderFromWorld});
+            AddInstance(use, {renderFromWorld, renderFromWorld}, use.loc);
     }
 
     void AddObjects() {
@@ -96,9 +116,9 @@ class ShapeBuilder {
             std::vector<ObjectPart> &made = parts[name];
             const uint32_t first = StartObject();
             const std::vector<ShapeEntity> moving = AddResting(object.shapes, nullptr);
-            made.push_back({FinishObject(first), {}});
+            made.push_back(FinishObject(first, {}));
             for (const ShapeEntity &entity : moving)
-                made.push_back({AddMovingShape(entity), entity.worldFromObject});
+                made.push_back(AddMovingShape(entity));
         }
     }
 
@@ -122,11 +142,12 @@ class ShapeBuilder {
         for (const ShapeEntity &entity : shapes) {
             if (entity.areaLight) log.Error(entity.loc, "moving area lights are not supported");
             const TransformPair &t = entity.worldFromObject;
-            Place(AddMovingShape(entity), {renderFromWorld * t[0], renderFromWorld * t[1]});
+            Place(AddMovingShape(entity), {renderFromWorld * t[0], renderFromWorld * t[1]},
+                  entity.loc);
         }
     }
 
-    std::vector<EmissiveShape> emitters;
+    BuiltShapes built;
 
   private:
     static bool Moves(const ShapeEntity &entity) {
@@ -136,18 +157,19 @@ class ShapeBuilder {
     struct ObjectPart {
         uint32_t object;  ///< index into World::objects
         TransformPair inObject;
+        Bounds3f bounds;
     };
 
-    uint32_t FinishObject(uint32_t first) {
+    ObjectPart FinishObject(uint32_t first, const TransformPair &inObject) {
         world.objects.push_back({first, uint32_t(world.geometries.size())});
-        return uint32_t(world.objects.size()) - 1;
+        return {uint32_t(world.objects.size()) - 1, inObject, objectBounds};
     }
     /// A shape whose two transforms differ becomes an object of its own, made in its own space; an
     /// instance carries the motion.
-    uint32_t AddMovingShape(const ShapeEntity &entity) {
+    ObjectPart AddMovingShape(const ShapeEntity &entity) {
         const uint32_t first = StartObject();
         Add(entity, Transform(), true);
-        return FinishObject(first);
+        return FinishObject(first, entity.worldFromObject);
     }
     std::optional<std::string> WhyTooMany(double instances) const {
         if (instances + double(world.geometries.size()) > kMostIds)
@@ -167,14 +189,31 @@ class ShapeBuilder {
             n += InstancesOf(inner.name);
         return instancesOf[name] = n;
     }
-    void Place(uint32_t object, const TransformPair &renderFromObject) {
-        const ObjectRange &range = world.objects[object];
+    void Place(const ObjectPart &part, const TransformPair &renderFromObject, const FileLoc &loc) {
+        const ObjectRange &range = world.objects[part.object];
         if (range.first == range.last) return;
         const bool moving = !(renderFromObject[0] == renderFromObject[1]);
         world.moves |= moving;
-        Instance instance{object, renderFromObject, moving};
+        Instance instance{part.object, renderFromObject, moving};
         if (moving) instance.between = KeysBetween(renderFromObject[0], renderFromObject[1]);
+        if (const auto why = WhyNotPlaced(instance, part.bounds))
+            return log.Error(loc, fmt::format("this cannot be placed: {}", *why));
         world.instances.push_back(std::move(instance));
+        built.instances.push_back(loc);
+    }
+
+    void WarnOfMissingUV(const ShapeEntity &entity, MaterialId material, bool hasTangents) {
+        std::string_view laid;
+        if (materials.texturedByUV.contains(material) || textures.AnyReadsUV(entity.params))
+            laid = "textures";
+        if (const auto found = materials.laidByUV.find(material);
+            found != materials.laidByUV.end() && !hasTangents)
+            laid = found->second;
+        if (laid.empty()) return;
+        log.Warning(entity.loc,
+                    fmt::format("shape \"{}\" has no uv: {} are laid by each face's own "
+                                "corners",
+                                entity.type, laid));
     }
 
     /// The parser has reported names that are not defined.
@@ -206,15 +245,15 @@ class ShapeBuilder {
     World &world;
     Diagnostics &log;
     uint32_t joinFrom = 0;  ///< first geometry of the object being built
+    Bounds3f objectBounds;  ///< of that object
     std::map<std::string, std::vector<ObjectPart>> parts;  ///< by the object's name
     std::map<std::string, double> instancesOf;             ///< see InstancesOf
 };
 
 }  // namespace
 
-std::vector<EmissiveShape> BuildShapes(Description &scene, const NamedTextures &textures,
-                                       const MaterialTable &materials, World &world,
-                                       Diagnostics &log) {
+BuiltShapes BuildShapes(Description &scene, const NamedTextures &textures,
+                        const MaterialTable &materials, World &world, Diagnostics &log) {
     world.geometries.reserve(scene.shapes.size());  // growing, they would be there twice
     ShapeBuilder builder(scene, textures, materials, world, log);
     const Transform &renderFromWorld = world.camera.RenderFromWorld();
@@ -222,7 +261,7 @@ std::vector<EmissiveShape> BuildShapes(Description &scene, const NamedTextures &
     builder.AddObjects();
     builder.AddMovingShapes(moving, renderFromWorld);
     builder.AddInstances(scene.instances, renderFromWorld);
-    return std::move(builder.emitters);
+    return std::move(builder.built);
 }
 
 }  // namespace pbrt

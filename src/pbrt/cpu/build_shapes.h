@@ -1,7 +1,10 @@
 #pragma once
 
+#include <map>
 #include <memory>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "pbrt/cpu/world.h"
@@ -12,7 +15,9 @@ namespace pbrt {
 struct MaterialTable {
     std::vector<MaterialId> unnamed;
     NamedMaterials named;
-    MaterialId fallback = 0;  ///< the default material, diffuse 0.5
+    MaterialId fallback = 0;                          ///< the default material, diffuse 0.5
+    std::map<MaterialId, std::string_view> laidByUV;  ///< see LaidByUV; those where it is not empty
+    std::set<MaterialId> texturedByUV;                ///< some texture looks at the surface's uv
 };
 /// Takes the unnamed ones out of the description; of those that say the same, one is made.
 MaterialTable BuildMaterials(Description &scene, const NamedTextures &textures, World &world,
@@ -22,10 +27,13 @@ struct EmissiveShape {
     uint32_t geometry;
     std::shared_ptr<const Entity> areaLight;
 };
+struct BuiltShapes {
+    std::vector<EmissiveShape> emitters;
+    std::vector<FileLoc> instances;  ///< places of World::instances, one each
+};
 /// Fills World::geometries (those of the top level first), objects and instances; nested instances
 /// are flattened, since Embree nests them one deep only. Takes the shapes out of the description.
-std::vector<EmissiveShape> BuildShapes(Description &scene, const NamedTextures &textures,
-                                       const MaterialTable &materials, World &world,
-                                       Diagnostics &log);
+BuiltShapes BuildShapes(Description &scene, const NamedTextures &textures,
+                        const MaterialTable &materials, World &world, Diagnostics &log);
 
 }  // namespace pbrt

@@ -7,9 +7,12 @@ namespace {
 
 /// The frame in which a material's BSDF lives.
 template <typename M>
-Frame FrameFor(const M &material, const SurfacePoint &sp, const TextureEvalContext &ctx) {
+Frame FrameFor(const M &material, const SurfacePoint &sp, const TextureEvalContext &ctx,
+               Vector3f d) {
     if constexpr (requires { M::kIsotropic; })
         return Frame::FromZ(sp.ns);
+    else if constexpr (IsFibre<M>)
+        return sp.FibreFrame(d);
     else if constexpr (TurnsFrame<M>)
         return material.TurnFrame(sp.ShadingFrame(), ctx);
     else
@@ -28,7 +31,7 @@ std::optional<VisibleSurface> FirstSeen(const World &world, const Ray &ray,
     world.camera.ApproximateStep(sp.p, sp.n, 1, &seen.dpdx, &seen.dpdy);
     seen.albedo = std::visit(
         [&](const auto &material) {
-            const Vector3f wo = FrameFor(material, sp, ctx).ToLocal(-ray.d);
+            const Vector3f wo = FrameFor(material, sp, ctx, ray.d).ToLocal(-ray.d);
             return AlbedoOf(material.GetBxDF(ctx, lambda), wo);
         },
         world.materials[size_t(

@@ -19,52 +19,112 @@ constexpr int kTileSize = 16;
 
 /// What the threads tell each other.
 struct Shared {
-    std::atomic<int64_t> pixelsDone{0}, samples{0}, closest{0}, shadow{0};
+    std::atomic<int64_t> done{0}, samples{0}, closest{0}, shadow{0};
     std::atomic<bool> stopped{false};
 };
 
+/// The threads' tracers, and the tiles they share out.
 template <typename SamplerT>
-void RenderTiles(World &world, const SamplerT &sampler, Shared &shared,
-                 const std::function<bool()> &keepGoing) {
+class Tiles {
+  public:
     using Tracer = BatchTracer<SamplerT>;
-    tbb::enumerable_thread_specific<std::unique_ptr<Tracer>> tracers(
-        [&] { return std::make_unique<Tracer>(world, sampler); });
-    const PixelBounds b = world.film.Bounds();
-    tbb::parallel_for(
-        tbb::blocked_range2d<int>(b.y0, b.y1, kTileSize, b.x0, b.x1, kTileSize),
-        [&](const tbb::blocked_range2d<int> &tile) {
-            const std::vector<Point2i> pixels = PixelsAlongCurve(
-                {tile.cols().begin(), tile.cols().end(), tile.rows().begin(), tile.rows().end()});
-            RayCounts rays;
-            int spp = sampler.SamplesPerPixel();
+
+    Tiles(World &world, const SamplerT &sampler, Shared &shared,
+          const std::function<bool()> &keepGoing)
+        : world(world), sampler(sampler), shared(shared), keepGoing(keepGoing), tracers([&] {
+              return std::make_unique<Tracer>(world, sampler);
+          }) {}
+
+    /// Calls render(pixels, tracer, ray counts) for each tile; it returns the samples a pixel got,
+    /// which count as `planned` of those that show progress.
+    template <typename F>
+    void ForEach(int planned, const F &render) {
+        const PixelBounds b = world.film.Bounds();
+        tbb::parallel_for(
+            tbb::blocked_range2d<int>(b.y0, b.y1, kTileSize, b.x0, b.x1, kTileSize),
+            [&](const tbb::blocked_range2d<int> &tile) {
+                const std::vector<Point2i> pixels =
+                    PixelsAlongCurve({tile.cols().begin(), tile.cols().end(), tile.rows().begin(),
+                                      tile.rows().end()});
+                RayCounts rays;
+                const int spp = render(pixels, *tracers.local(), rays);
+                shared.samples += spp * int64_t(pixels.size());
+                shared.closest += rays.closest;
+                shared.shadow += rays.shadow;
+                shared.done += planned * int64_t(pixels.size());
+                keepGoing();
+            },
+            tbb::simple_partitioner());
+    }
+
+    void Render() {
+        const int spp = sampler.SamplesPerPixel();
+        ForEach(spp, [&](std::span<const Point2i> pixels, Tracer &tracer, RayCounts &rays) {
             if (world.targetError > 0)
-                spp = RenderToError(world, pixels, spp, world.targetError, *tracers.local(), rays,
-                                    keepGoing);
-            else
-                RenderPixels(world, pixels, spp, *tracers.local(), rays, keepGoing);
-            shared.samples += spp * int64_t(pixels.size());
-            shared.closest += rays.closest;
-            shared.shadow += rays.shadow;
-            shared.pixelsDone += int64_t(pixels.size());
-            keepGoing();
-        },
-        tbb::simple_partitioner());
-}
+                return RenderToError(world, pixels, spp, world.targetError, tracer, rays,
+                                     keepGoing);
+            RenderPixels(world, pixels, spp, tracer, rays, keepGoing);
+            return spp;
+        });
+    }
+
+    void RenderInWaves(const std::function<void(int)> &afterWave) {
+        const PixelBounds bounds = world.film.Bounds();
+        std::vector<Film::Pixel> sums(size_t(bounds.Area()), world.film.NewPixel());
+        const auto at = [&](Point2i p) -> Film::Pixel & {
+            return sums[size_t(p.y - bounds.y0) * size_t(bounds.Width()) + size_t(p.x - bounds.x0)];
+        };
+        const int spp = sampler.SamplesPerPixel();
+        for (int done = 0, end = 1; done < spp;
+             done = end, end = int(std::min<int64_t>(2 * int64_t(end), spp))) {
+            ForEach(end - done,
+                    [&](std::span<const Point2i> pixels, Tracer &tracer, RayCounts &rays) {
+                        std::vector<Film::Pixel> theirs;
+                        for (const Point2i p : pixels)
+                            theirs.push_back(at(p));
+                        AddSamples(world, pixels, done, end, theirs, tracer, rays, keepGoing);
+                        for (size_t i = 0; i < pixels.size(); ++i)
+                            at(pixels[i]) = theirs[i];
+                        return end - done;
+                    });
+            if (shared.stopped) return;
+            afterWave(end);
+        }
+    }
+
+  private:
+    World &world;
+    const SamplerT &sampler;
+    Shared &shared;
+    const std::function<bool()> &keepGoing;
+    tbb::enumerable_thread_specific<std::unique_ptr<Tracer>> tracers;
+};
 
 }  // namespace
 
 std::optional<RenderStats> Render(World &world, int nThreads,
-                                  const std::function<bool(int64_t, int64_t)> &progress) {
+                                  const std::function<bool(int64_t, int64_t)> &progress,
+                                  const std::function<void(int)> &afterWave) {
     const auto start = std::chrono::steady_clock::now();
-    const int64_t nPixels = world.film.Bounds().Area();
+    const int64_t planned =
+        world.film.Bounds().Area() *
+        std::visit([](const auto &s) { return s.SamplesPerPixel(); }, world.sampler);
     Shared shared;
     const std::function<bool()> keepGoing = [&] {
-        if (!progress(shared.pixelsDone, nPixels)) shared.stopped = true;
+        if (!progress(shared.done, planned)) shared.stopped = true;
         return !shared.stopped;
     };
     tbb::task_arena arena(nThreads > 0 ? nThreads : tbb::task_arena::automatic);
     arena.execute([&] {
-        std::visit([&](const auto &s) { RenderTiles(world, s, shared, keepGoing); }, world.sampler);
+        std::visit(
+            [&](const auto &sampler) {
+                Tiles tiles(world, sampler, shared, keepGoing);
+                if (afterWave)
+                    tiles.RenderInWaves(afterWave);
+                else
+                    tiles.Render();
+            },
+            world.sampler);
     });
     if (shared.stopped) return {};
     RenderStats stats;

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "pbrt/bxdfs/bxdf_lanes.h"
 #include "pbrt/bxdfs/feather_lanes.h"
 #include "pbrt/cpu/emission.h"
 #include "pbrt/cpu/path_batch.h"
+#include "pbrt/cpu/surface_lanes.h"
 #include "pbrt/lights/light_packet.h"
 
 namespace pbrt {
@@ -36,7 +36,7 @@ template <typename M, bool kPlain, typename Scattering = BSDFAsItIs>
 class Vertices {
   public:
     Vertices(const World &world, PathBatch &batch, const VertexNumbers &numbers)
-        : world(world), batch(batch), numbers(numbers) {}
+        : world(world), batch(batch), numbers(numbers), bsdfs(world.options.forceDiffuse) {}
 
     /// The paths at the first `count` of the given places in the queue; all places exist.
     void Meet(const WideUint &places, int count) {
@@ -46,7 +46,7 @@ class Vertices {
         Interact();
         AddEmissions();
         const WideMask last = std::bit_cast<WideInt>(path.depth) == world.path.maxDepth;
-        if constexpr (!PassesLight<M>) lanes &= ~BitsOf(last);
+        if (!PassesLight<M> || world.options.forceDiffuse) lanes &= ~BitsOf(last);
         if (lanes == 0) return;
         SetContexts();
         SetFrames();
@@ -96,6 +96,8 @@ class Vertices {
     void SetFrames() {
         if constexpr (kIsotropic || (kPlain && !TurnsFrame<M>)) {
             frame = WideFrame::FromZ(sp.ns);
+        } else if constexpr (IsFibre<M>) {
+            frame = sp.FibreFrame(path.d);
         } else {
             frame = sp.ShadingFrame();
             if constexpr (TurnsFrame<M>) TurnFrames();
@@ -128,7 +130,11 @@ class Vertices {
 
     void MakeBSDFs() {
         ForEachLane(lanes, [&](int i) {
-            bsdfs.Set(i, Scattering::At(MaterialAt(i), ContextAt(i), batch.lambda[Slot(i)]));
+            if (world.options.forceDiffuse) [[unlikely]]
+                bsdfs.SetDiffuse(i, MaterialAt(i).GetBxDF(ContextAt(i), batch.lambda[Slot(i)]),
+                                 Lane(wo, i));
+            else
+                bsdfs.Set(i, Scattering::At(MaterialAt(i), ContextAt(i), batch.lambda[Slot(i)]));
             if (world.path.regularize && path.anyNonSpecular[i]) bsdfs.Regularize(i);
             const BxDFFlags flags = bsdfs.Flags(i);
             nonSpecular |= LaneBits(IsNonSpecular(flags)) << i;
@@ -237,7 +243,7 @@ class Vertices {
     std::array<TextureEvalContext, kPlain ? 1 : kWide> contexts;
     WideFrame frame;
     WideVector3f wo;
-    BxDFLanes<BxDF> bsdfs;
+    SurfaceLanes<BxDF> bsdfs;
 };
 
 }  // namespace pbrt

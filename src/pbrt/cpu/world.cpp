@@ -107,6 +107,7 @@ uint32_t World::TopLevelGeometries() const {
 }
 
 bool World::LetsLightThrough(MaterialId id) const {
+    if (options.forceDiffuse) return false;
     if (const MixMaterial *mix = AsMix(id))
         return LetsLightThrough(mix->materials[0]) || LetsLightThrough(mix->materials[1]);
     return id >= 0 && pbrt::LetsLightThrough(materials[id]);

@@ -79,7 +79,8 @@ struct World {
     }
     /// Geometries below this stand in the scene as they are; the others only in instances.
     uint32_t TopLevelGeometries() const;
-    /// Of materials that could not be made: no.
+    /// Whether light passes straight through; no, of materials that could not be made, and of all
+    /// where Option "forcediffuse" makes them matt.
     bool LetsLightThrough(MaterialId id) const;
 
   private:

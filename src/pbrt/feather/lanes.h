@@ -124,12 +124,12 @@ template <class V>
 }
 #if defined(__AVX512F__)
 [[gnu::always_inline]] inline Lanes<float> QuickInverse(const Lanes<float> &x) {
-    return {std::bit_cast<Lanes<float>::Register>(
-        _mm512_maskz_rcp14_ps(0xffff, std::bit_cast<__m512>(x.part[0])))};
+    return Lanes<float>::FromRegister(std::bit_cast<Lanes<float>::Register>(
+        _mm512_maskz_rcp14_ps(0xffff, std::bit_cast<__m512>(x.part[0]))));
 }
 [[gnu::always_inline]] inline Lanes<float> QuickInverseRoot(const Lanes<float> &x) {
-    return {std::bit_cast<Lanes<float>::Register>(
-        _mm512_maskz_rsqrt14_ps(0xffff, std::bit_cast<__m512>(x.part[0])))};
+    return Lanes<float>::FromRegister(std::bit_cast<Lanes<float>::Register>(
+        _mm512_maskz_rsqrt14_ps(0xffff, std::bit_cast<__m512>(x.part[0]))));
 }
 #endif
 
@@ -206,8 +206,9 @@ template <std::floating_point T>
 [[gnu::always_inline]] inline Lanes<T> Taken(const Lanes<T> &from, const LaneIndex &index) {
 #if defined(__AVX512F__)
     if constexpr (std::is_same_v<T, float>)
-        return {std::bit_cast<typename Lanes<T>::Register>(_mm512_maskz_permutexvar_ps(
-            0xffff, std::bit_cast<__m512i>(index.part[0]), std::bit_cast<__m512>(from.part[0])))};
+        return Lanes<T>::FromRegister(std::bit_cast<typename Lanes<T>::Register>(
+            _mm512_maskz_permutexvar_ps(0xffff, std::bit_cast<__m512i>(index.part[0]),
+                                        std::bit_cast<__m512>(from.part[0]))));
 #endif
     T taken[kLanes];
     for (int k = 0; k < kLanes; ++k)

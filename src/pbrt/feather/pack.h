@@ -64,6 +64,12 @@ struct Pack {
         return a;
     }
     [[gnu::always_inline]] void Store(T *to) const { std::memcpy(to, part, sizeof(part)); }
+    /// All n scalars, where one register holds them.
+    [[gnu::always_inline]] static Pack FromRegister(Register only) requires(kRegisters == 1) {
+        Pack a;
+        a.part[0] = only;
+        return a;
+    }
     /// True for the first n / 2 elements.
     [[gnu::always_inline]] static Mask FirstHalf() {
         T index[n];
@@ -160,7 +166,7 @@ struct Pack {
     [[gnu::always_inline]] friend Pack<T, 2 * n, bytes> Doubled(const Pack &a) {
         using Twice = Pack<T, 2 * n, bytes>;
         if constexpr (Twice::kWidth > kWidth)
-            return {TwiceARegister(a.part[0], kElements)};
+            return Twice::FromRegister(TwiceARegister(a.part[0], kElements));
         else
             return DoubledBy(a, Twice::kIndices);
     }
@@ -170,16 +176,11 @@ struct Pack {
         if constexpr (kRegisters > 1)
             return FoldedBy(a, Half::kIndices);
         else
-            return {FoldedRegister(a.part[0], Half::kElements)};
+            return Half::FromRegister(FoldedRegister(a.part[0], Half::kElements));
     }
 
     static constexpr std::make_integer_sequence<int, kRegisters> kIndices{};
     static constexpr std::make_integer_sequence<int, kWidth> kElements{};
-
-    template <class... Registers>
-    requires(sizeof...(Registers) == kRegisters && (std::is_same_v<Registers, Register> && ...))
-        [[gnu::always_inline]] Pack(Registers... parts)
-        : part{parts...} {}
 
     // Nothing here is a loop: elements of arrays with indices known late stay in memory.
 

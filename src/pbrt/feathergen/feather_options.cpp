@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cstdint>
-
+#include "pbrt/cli/options.h"
 #include "pbrt/util/diagnostics.h"
+#include "pbrt/util/parse_number.h"
 #include "pbrt/util/read_file.h"
 
 namespace pbrt::feathergen {
@@ -17,14 +16,9 @@ constexpr uint64_t kMostJsonBytes = 1000000;
 /// `name=value`.
 std::string ApplySetting(const std::string &setting, Parameters *parameters) {
     const size_t equals = setting.find('=');
-    double value = 0;
-    if (equals != std::string::npos) {
-        const char *const first = setting.data() + equals + 1, *const last =
-                                                                   setting.data() + setting.size();
-        const auto parsed = std::from_chars(first, last, value);
-        if (first != last && parsed.ec == std::errc() && parsed.ptr == last)
-            return SetParameter(setting.substr(0, equals), value, parameters);
-    }
+    if (equals != std::string::npos)
+        if (const auto value = ParseNumber(std::string_view(setting).substr(equals + 1)))
+            return SetParameter(setting.substr(0, equals), *value, parameters);
     return fmt::format("\"{}\": expected name=number", Shortened(setting));
 }
 
@@ -33,8 +27,10 @@ std::string ApplySetting(const std::string &setting, Parameters *parameters) {
 void FeatherOptions::AddTo(CLI::App *app) {
     app->add_option("--preset", preset, "where parameters start from (default rock-dove-neck)");
     app->add_option("--params", paramsFile, "JSON file of parameters, as --print-preset writes it");
-    app->add_option("--set", set, "name=value: one parameter; may be repeated");
-    app->add_option("--seed", seed, "integer: another feather of the same kind (default 0)");
+    app->add_option("--set", set, "name=value: one parameter; may be repeated")
+        ->allow_extra_args(false);
+    cli::AddNumber(app, "--seed", &seed, cli::kFromZero,
+                   "another feather of the same kind (default 0)");
     app->add_option("--out", out, "folder to write to; the scene names files as given here");
     app->add_option(
         "--textures", textures,

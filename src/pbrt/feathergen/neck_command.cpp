@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "pbrt/cli/options.h"
 #include "pbrt/feathergen/covering.h"
 #include "pbrt/feathergen/feather_options.h"
 #include "pbrt/feathergen/vane_grid.h"
@@ -22,9 +23,8 @@ std::optional<Outcome> ParseOptions(Args args, NeckOptions *o) {
     o->feather.AddTo(&app);
     app.add_option("--surface", o->surface,
                    "PLY file to cover, millimetres (default: a dove's neck)");
-    app.add_option("--flow", o->flow, "x,y,z: where feathers' tips point (default 0,0,-1)")
-        ->delimiter(',')
-        ->expected(3);
+    cli::AddNumbers(&app, "--flow", &o->flow, "x,y,z", {},
+                    "where feathers' tips point (default 0,0,-1)");
     return cli::Parse(&app, args);
 }
 

@@ -67,9 +67,9 @@ Parameters PresetNamed(std::string_view name, std::string *problem) {
 }
 
 std::string ParameterManual() {
-    std::string text = "\nparameters for --set and --params (unit, range, default):\n";
+    std::string text = "parameters for --set and --params (unit, range, default):\n";
     for (const ParameterRow &row : ParameterTable())
-        text += fmt::format("  {:<20}{:<5}{:<16}{:<8}{}\n", row.name, row.unit,
+        text += fmt::format("  {:<20}{:<5}{:<19}{:<8}{}\n", row.name, row.unit,
                             fmt::format("[{}, {}]", row.lo, row.hi), row.def, row.doc);
     text += "\npresets:\n";
     for (const Preset &preset : Presets())

@@ -1,5 +1,6 @@
 #include "pbrt/feathergen/vane_mesh.h"
 
+#include <array>
 #include <functional>
 #include <numbers>
 

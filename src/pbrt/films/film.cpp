@@ -20,7 +20,7 @@ constexpr NumberRow kDiagonal{"diagonal", "mm", 35, 1e-6f, 1e6f, "of the film"};
 
 PixelBounds Crop(Point2i full, const std::array<float, 4> &c) {
     const auto edge = [](float f, int n) {
-        return int(std::clamp(std::ceil(f * float(n)), 0.f, float(n)));
+        return int(std::ceil(std::clamp(f, 0.f, 1.f) * float(n)));
     };
     return {edge(c[0], full.x), edge(c[1], full.x), edge(c[2], full.y), edge(c[3], full.y)};
 }
@@ -41,6 +41,10 @@ PixelBounds ReadBounds(ParamDict &params, const FilmOverrides &overrides, Point2
         params.Error("cropwindow", "\"cropwindow\" needs four numbers in [0, 1]: x0 x1 y0 y1");
     else if (!crop.empty())
         bounds = Crop(full, {crop[0], crop[1], crop[2], crop[3]});
+    if (!given.empty() && !crop.empty())
+        params.Warning("pixelbounds", "\"pixelbounds\" has no effect: \"cropwindow\" counts");
+    if (overrides.pixelBounds && overrides.cropWindow)
+        params.Log().Warning({}, "--pixelbounds and --pixel have no effect: --cropwindow counts");
     if (overrides.pixelBounds) bounds = clip(*overrides.pixelBounds);
     if (overrides.cropWindow) bounds = Crop(full, *overrides.cropWindow);
     if (bounds.Width() <= 0 || bounds.Height() <= 0) {
@@ -51,16 +55,19 @@ PixelBounds ReadBounds(ParamDict &params, const FilmOverrides &overrides, Point2
 }
 
 std::string ReadFileName(ParamDict &params, const FilmOverrides &overrides, bool manyChannels) {
-    std::string name = params.GetOneString("filename", "pbrt.exr");
-    if (!overrides.outfile.empty()) name = overrides.outfile;
+    const std::string written = params.GetOneString("filename", "pbrt.exr");
+    const bool overridden = !overrides.outfile.empty();
+    const std::string &name = overridden ? overrides.outfile : written;
+    const auto refuse = [&](const std::string &why) {
+        if (overridden)
+            params.Log().Error({}, fmt::format("--outfile: cannot write \"{}\": {}", name, why));
+        else
+            params.Error("filename", fmt::format("cannot write \"{}\": {}", name, why));
+    };
     if (!CanWriteImage(name))
-        params.Error(
-            "filename",
-            fmt::format("cannot write \"{}\": the name must end in .exr, .png or .pfm", name));
+        refuse("the name must end in .exr, .png or .pfm");
     else if (manyChannels && !name.ends_with(".exr"))
-        params.Error("filename", fmt::format("cannot write \"{}\": {} needs the many channels of "
-                                             ".exr",
-                                             name, params.What()));
+        refuse(params.What() + " needs the many channels of .exr");
     return name;
 }
 
@@ -95,8 +102,8 @@ Film Film::Create(const Description &scene, const FilmOverrides &overrides, Diag
         params.Error(UnknownName("film", type, kFilms));
         return film;
     }
-    Point2i full{params.GetOneInt("xresolution", 1280, 1, 65536),
-                 params.GetOneInt("yresolution", 720, 1, 65536)};
+    Point2i full{params.GetOneInt("xresolution", 1280, 1, kMaxResolution),
+                 params.GetOneInt("yresolution", 720, 1, kMaxResolution)};
     if (overrides.quick) full = {std::max(1, full.x / 4), std::max(1, full.y / 4)};
     film.fullResolution = full;
     film.bounds = ReadBounds(params, overrides, full);

@@ -14,6 +14,9 @@
 
 namespace pbrt {
 
+/// Most pixels along a side of a picture.
+inline constexpr int kMaxResolution = 1 << 16;
+
 /// Half-open rectangle of pixels.
 struct PixelBounds {
     int x0 = 0, x1 = 0, y0 = 0, y1 = 0;

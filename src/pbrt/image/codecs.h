@@ -27,8 +27,8 @@ OrError<std::string> EncodePfm(const Image &image);
 std::optional<std::string> Implausible(double width, double height, double channels,
                                        double bitsPerPixel, double maxRatio, size_t bytesInFile);
 
-/// R G B (and A where `withAlpha`) in sRGB primaries, or the only channel: what formats without
-/// named channels can hold.
+/// The channels of WriteImage's PNG and PFM (and alpha where `withAlpha`), as R G B or Y, then A:
+/// what formats without named channels can hold. Alpha is A, or A of a layer if there is but one.
 OrError<Image> ForDisplay(const Image &image, bool withAlpha);
 
 }  // namespace pbrt

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <tuple>
 
 #include "pbrt/image/codecs.h"
@@ -72,6 +73,22 @@ struct Channels {
     double bitsPerPixel = 0;
 };
 
+/// `has 3 parts, of which only the first, "left", is read (others: "right", "depth")`; names a few.
+std::string UnreadParts(const Imf::MultiPartInputFile &file) {
+    if (file.parts() < 2) return {};
+    const auto name = [&](int part) {
+        const Imf::Header &header = file.header(part);
+        return header.hasName() ? fmt::format("\"{}\"", header.name()) : "unnamed";
+    };
+    constexpr int kMostNames = 5;
+    std::string others;
+    for (int part = 1; part < std::min(file.parts(), 1 + kMostNames); ++part)
+        others += (part > 1 ? ", " : "") + name(part);
+    if (file.parts() > 1 + kMostNames) others += ", ...";
+    return fmt::format("has {} parts, of which only the first, {}, is read (others: {})",
+                       file.parts(), name(0), others);
+}
+
 /// Channels sorted by layer, in a layer R G B A or X Y Z first; nullopt where some are subsampled.
 std::optional<Channels> ReadChannels(const Imf::ChannelList &list) {
     Channels channels;
@@ -127,6 +144,7 @@ OrError<Image> DecodeExr(std::string_view bytes) {
     part.setFrameBuffer(frame);
     part.readPixels(window.min.y, window.max.y);
     image.metadata = ReadMetadata(header);
+    image.metadata.unread = UnreadParts(file);
     image.metadata.storedAs = channels->type == Imf::HALF    ? "half"
                               : channels->type == Imf::FLOAT ? "float"
                                                              : "uint";

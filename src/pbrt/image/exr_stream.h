@@ -3,6 +3,7 @@
 #include <Iex.h>
 #include <ImfIO.h>
 
+#include <cstdint>
 #include <cstring>
 #include <string>
 #include <string_view>

@@ -28,6 +28,8 @@ struct ImageMetadata {
     /// How a file that was read holds its values: "half", "float", "uint", "8-bit", "16-bit" or
     /// "rgbe"; empty for pictures made in memory. Not written.
     std::string storedAs;
+    /// What of a file was not read, as the rest of a sentence; empty where all was. Not written.
+    std::string unread;
 };
 
 /// Pixels in float, interleaved channels, rows top to bottom; values are linear light.
@@ -75,8 +77,9 @@ struct OrError {
 /// Reads EXR, PNG, JPEG, PFM and Radiance HDR, told apart by their first bytes. PNG and JPEG are
 /// decoded by `encoding` (default sRGB, alpha always linear); the others hold linear values.
 /// Channels: R G B, then A, or Y, as PNG, JPEG, PFM and HDR have them; those of EXR sorted by
-/// layer, in a layer R G B A or X Y Z first, the rest by name. A picture that would need more
-/// memory than there is, is refused before any is taken.
+/// layer, in a layer R G B A or X Y Z first, the rest by name. Of an EXR file of several parts the
+/// first is read, and metadata.unread says so. A picture that would need more memory than there is,
+/// is refused before any is taken.
 OrError<Image> ReadImage(const std::string &fileName,
                          std::optional<ColorEncoding> encoding = std::nullopt,
                          Pipes pipes = Pipes::Refused);
@@ -84,9 +87,9 @@ OrError<Image> ReadImage(const std::string &fileName,
 enum class ExrPixels { Half, Float };
 /// Writes .exr (ZIP), .png (8 bit sRGB) or .pfm by extension, by WriteFileAtomically. Returns the
 /// reason on failure; then nothing is left behind and an old file is untouched. Half: values beyond
-/// +-65504 become +-65504, NaN stays. PNG and PFM keep R G B (PNG: and A) or the only channel,
-/// turned into sRGB primaries where chromaticities are given; PNG clamps to [0, 1] and writes NaN
-/// as 0.
+/// +-65504 become +-65504, NaN stays. PNG and PFM keep R G B, else Y, else the one or three channels
+/// beside alpha; PNG alpha, too. Channels R, G, B of any layer are turned into sRGB primaries where
+/// chromaticities are given; PNG clamps to [0, 1] and writes NaN as 0.
 std::optional<std::string> WriteImage(const Image &image, const std::string &fileName,
                                       ExrPixels pixels = ExrPixels::Half);
 /// WriteImage; where it fails, the picture is kept as an EXR file in a new folder among those for

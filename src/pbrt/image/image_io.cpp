@@ -7,7 +7,6 @@
 #include <filesystem>
 
 #include "pbrt/image/codecs.h"
-#include "pbrt/image/primaries.h"
 #include "pbrt/util/atomic_file.h"
 #include "pbrt/util/memory.h"
 #include "pbrt/util/read_file.h"
@@ -64,38 +63,6 @@ std::optional<std::string> Implausible(double width, double height, double chann
         return fmt::format("has {} x {} pixels of {} channels: it {}", width, height, channels,
                            *why);
     return {};
-}
-
-OrError<Image> ForDisplay(const Image &image, bool withAlpha) {
-    int source[4] = {image.ChannelIndex("R"), image.ChannelIndex("G"), image.ChannelIndex("B"),
-                     withAlpha ? image.ChannelIndex("A") : -1};
-    std::vector<std::string> names{"R", "G", "B"};
-    if (source[0] < 0 || source[1] < 0 || source[2] < 0) {
-        if (image.NChannels() != 1)
-            return {{}, "needs the channels R, G and B or a single one in this format"};
-        names = {"Y"};
-        source[0] = 0;
-    } else if (source[3] >= 0) {
-        names.push_back("A");
-    }
-    const bool color = names.size() >= 3 && image.metadata.chromaticities;
-    const auto toSRGB = RGBFromRGB(kSRGBChromaticities,
-                                   color ? *image.metadata.chromaticities : kSRGBChromaticities);
-    if (!toSRGB) return {{}, "has chromaticities that span no color space"};
-
-    Image display(image.Resolution(), names);
-    const size_t n = names.size();
-    for (size_t p = 0; p < display.Data().size() / n; ++p) {
-        const float *in = &image.Data()[p * image.NChannels()];
-        float *out = &display.Data()[p * n];
-        for (size_t c = 0; c < n; ++c)
-            out[c] = in[source[c]];
-        if (!color) continue;
-        const std::array<float, 3> rgb{out[0], out[1], out[2]};
-        for (int i = 0; i < 3; ++i)
-            out[i] = (*toSRGB)[i][0] * rgb[0] + (*toSRGB)[i][1] * rgb[1] + (*toSRGB)[i][2] * rgb[2];
-    }
-    return {std::move(display), {}};
 }
 
 OrError<Image> ReadImage(const std::string &fileName, std::optional<ColorEncoding> encoding,

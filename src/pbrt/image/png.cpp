@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <csetjmp>
+#include <cstdint>
 #include <cstring>
 
 #include "pbrt/image/codecs.h"
@@ -136,7 +137,7 @@ OrError<std::string> EncodePng(const Image &source) {
     std::vector<unsigned char> codes(image.value->Data().size());
     for (size_t i = 0; i < codes.size(); ++i) {
         const float linear = image.value->Data()[i];
-        const bool isAlpha = channels == 4 && i % 4 == 3;
+        const bool isAlpha = channels % 2 == 0 && int(i % channels) == channels - 1;
         const float code = isAlpha ? linear : sRGB.FromLinear(linear);
         codes[i] = code > 0 ? (unsigned char)(std::min(code, 1.f) * 255 + 0.5f) : 0;  // NaN: 0
     }
@@ -145,7 +146,9 @@ OrError<std::string> EncodePng(const Image &source) {
     png.version = PNG_IMAGE_VERSION;
     png.width = png_uint_32(image.value->Resolution().x);
     png.height = png_uint_32(image.value->Resolution().y);
-    png.format = channels == 1 ? PNG_FORMAT_GRAY : channels == 3 ? PNG_FORMAT_RGB : PNG_FORMAT_RGBA;
+    constexpr png_uint_32 kFormats[] = {PNG_FORMAT_GRAY, PNG_FORMAT_GA, PNG_FORMAT_RGB,
+                                        PNG_FORMAT_RGBA};
+    png.format = kFormats[channels - 1];
     png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
     std::string bytes(size, '\0');
     if (!png_image_write_to_memory(&png, bytes.data(), &size, 0, codes.data(), 0, nullptr))

@@ -82,7 +82,7 @@ Outcome Average(Args args) {
     Accumulator sum;
     Outcome outcome;
     for (const std::string &file : *files.value) {
-        const OrError<Image> image = ReadImage(file, {}, Pipes::Taken);
+        const OrError<Image> image = Read(file, &outcome.err);
         if (!image) return Failure(image.error);
         int infinite = 0;
         if (auto reason = sum.Add(*image.value, &infinite))

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "pbrt/cli/options.h"
 #include "pbrt/imgtool/command_line.h"
 #include "pbrt/imgtool/pictures.h"
 
@@ -45,13 +46,13 @@ Outcome Check(Args args) {
         "Tests that every value is finite and that the picture is not black. Exit code 1 "
         "where it fails.",
         "imgtool check");
-    app.add_option("picture", file)->required();
-    app.add_option("--hue-change", least,
+    app.add_option("picture", file, "picture to test")->required();
+    cli::AddNumber(&app, "--hue-change", &least, {.lo = 0, .hi = 180},
                    "test too that the hues of two of eight upright strips differ by this many "
-                   "degrees at least")
-        ->check(CLI::Range(0, 180));
+                   "degrees at least");
     if (auto end = cli::Parse(&app, args)) return *end;
-    const OrError<Image> image = ReadPart(file, {"R", "G", "B"}, {});
+    std::string remarks;
+    const OrError<Image> image = ReadPart(file, {"R", "G", "B"}, {}, &remarks);
     if (!image) return Failure(image.error);
     double sum = 0;
     for (const float v : image.value->Data()) {
@@ -68,7 +69,7 @@ Outcome Check(Args args) {
     return {
         0,
         fmt::format("{}: finite, mean {:.6g}, hue changes by {:.0f} degrees\n", file, mean, change),
-        {}};
+        remarks};
 }
 
 }  // namespace pbrt::imgtool

@@ -1,18 +1,17 @@
 #include "pbrt/imgtool/command_line.h"
 
+#include "pbrt/cli/options.h"
+
 namespace pbrt::imgtool {
 
 void AddCrop(CLI::App *app, std::vector<int> *crop) {
-    app->add_option("--crop", *crop,
-                    "x0,x1,y0,y1: use these pixels only; a negative x1 or y1 is "
-                    "an extent")
-        ->delimiter(',')
-        ->expected(4);
+    constexpr int kFar = 1 << 24;  // farther than any picture reaches
+    cli::AddNumbers(app, "--crop", crop, "x0,x1,y0,y1", {.lo = -kFar, .hi = kFar},
+                    "use these pixels only; a negative x1 or y1 is an extent");
 }
 
 void AddChannels(CLI::App *app, std::vector<std::string> *channels) {
-    app->add_option("--channels", *channels, "comma-separated names: use these channels only")
-        ->delimiter(',');
+    cli::AddNames(app, "--channels", channels, "R,G,B", "names of channels: use these only");
 }
 
 void AddOutfile(CLI::App *app, std::string *outfile) {
@@ -22,6 +21,11 @@ void AddOutfile(CLI::App *app, std::string *outfile) {
 void AddComparison(CLI::App *app, std::string *reference, std::string *metric) {
     app->add_option("--reference", *reference, "what the picture should be")->required();
     app->add_option("--metric", *metric, "MSE (default), MAE or MRSE");
+}
+
+Outcome Remarking(const std::string &remarks, Outcome outcome) {
+    outcome.err.insert(0, remarks);
+    return outcome;
 }
 
 Outcome Write(const Image &image, const std::string &fileName, ExrPixels pixels) {

@@ -18,6 +18,9 @@ void AddOutfile(CLI::App *app, std::string *outfile);
 /// `--reference`, required, and `--metric`.
 void AddComparison(CLI::App *app, std::string *reference, std::string *metric);
 
+/// The outcome with remarks, lines of their own, before what it says of mistakes.
+Outcome Remarking(const std::string &remarks, Outcome outcome);
+
 /// Writes, or says why not.
 Outcome Write(const Image &image, const std::string &fileName, ExrPixels pixels);
 

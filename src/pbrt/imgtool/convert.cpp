@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "pbrt/cli/options.h"
 #include "pbrt/image/primaries.h"
 #include "pbrt/imgtool/command_line.h"
 #include "pbrt/imgtool/pictures.h"
@@ -31,22 +32,22 @@ std::optional<Outcome> ParseOptions(Args args, Options *o) {
     AddOutfile(&app, &o->outfile);
     AddChannels(&app, &o->channels);
     AddCrop(&app, &o->crop);
-    app.add_option("--clamp", o->clamp, "largest value");
+    cli::AddNumber(&app, "--clamp", &o->clamp, {}, "largest value");
     app.add_option("--colorspace", o->colorSpace, "srgb, rec2020, dci-p3 or aces2065-1");
     app.add_flag("--bw", o->bw, "gray: the mean of the channels");
-    app.add_option("--despike", o->despike,
+    cli::AddNumber(&app, "--despike", &o->despike, {},
                    "replace pixels of a mean above this by the median of their neighbours");
-    app.add_option("--scale", o->scale, "factor (default 1)");
-    app.add_option("--exposure", o->exposure, "factor 2^x: x stops (default 0)");
-    app.add_option("--gamma", o->gamma, "exponent (default 1)")->check(CLI::PositiveNumber);
+    cli::AddNumber(&app, "--scale", &o->scale, {}, "factor (default 1)");
+    cli::AddNumber(&app, "--exposure", &o->exposure, {}, "factor 2^x: x stops (default 0)");
+    cli::AddNumber(&app, "--gamma", &o->gamma, cli::kAboveZero, "exponent (default 1)");
     app.add_flag("--tonemap", o->tonemap, "Reinhard's operator on the mean of the channels");
-    app.add_option("--max-luminance", o->maxLuminance, "mean that --tonemap takes to 1 (default 1)")
-        ->check(CLI::PositiveNumber);
+    cli::AddNumber(&app, "--max-luminance", &o->maxLuminance, cli::kAboveZero,
+                   "mean that --tonemap takes to 1 (default 1)");
     app.add_flag("--preserve-colors", o->preserveColors,
                  "scale pixels with values above 1 down instead of clipping each value");
     app.add_flag("--aces-filmic", o->acesFilmic, "filmic curve to [0, 1]");
-    app.add_option("--repeat-pix", o->repeat, "repeat pixels n times in both directions")
-        ->check(CLI::Range(1, 1024));
+    cli::AddNumber(&app, "--repeat-pix", &o->repeat, {.lo = 1, .hi = 1024},
+                   "repeat pixels n times in both directions");
     app.add_flag("--flipy", o->flipY, "upside down");
     app.add_flag("--fp16", o->fp16, "half floats in EXR (default: as the input)");
     return cli::Parse(&app, args);
@@ -83,7 +84,8 @@ std::optional<std::string> ToColorSpace(const std::string &name, Image *image) {
 Outcome Convert(Args args) {
     Options o;
     if (auto end = ParseOptions(args, &o)) return *end;
-    OrError<Image> input = ReadPart(o.file, o.channels, o.crop);
+    std::string remarks;
+    OrError<Image> input = ReadPart(o.file, o.channels, o.crop, &remarks);
     if (!input) return Failure(input.error);
     Image image = std::move(*input.value);
 
@@ -104,7 +106,7 @@ Outcome Convert(Args args) {
 
     const bool half =
         o.fp16 || image.metadata.storedAs == "half" || image.metadata.storedAs == "8-bit";
-    return Write(image, o.outfile, half ? ExrPixels::Half : ExrPixels::Float);
+    return Remarking(remarks, Write(image, o.outfile, half ? ExrPixels::Half : ExrPixels::Float));
 }
 
 }  // namespace pbrt::imgtool

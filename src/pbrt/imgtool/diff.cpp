@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "pbrt/cli/options.h"
 #include "pbrt/imgtool/command_line.h"
 #include "pbrt/imgtool/metric.h"
 #include "pbrt/imgtool/pictures.h"
@@ -26,15 +27,15 @@ std::optional<Outcome> ParseOptions(Args args, Options *o) {
         "imgtool diff");
     app.add_option("picture", o->file, "picture to judge")->required();
     AddComparison(&app, &o->reference, &o->metric);
-    app.add_option("--difftol", o->tolerance, "largest error that passes (default 0)");
+    cli::AddNumber(&app, "--difftol", &o->tolerance, cli::kFromZero,
+                   "largest error that passes (default 0)");
     app.add_option("--outfile", o->outfile, "picture of the error of each value");
     app.add_option("--variance", o->variance, "picture of the variance of each reference value");
-    app.add_option("--variance-ratio", o->varianceRatio,
+    cli::AddNumber(&app, "--variance-ratio", &o->varianceRatio, cli::kFromZero,
                    "variance of the picture in units of the reference's (default: by the samples "
-                   "per pixel in the files, else 1)")
-        ->check(CLI::NonNegativeNumber);
-    app.add_option("--tile", o->tile, "pixels along a tile's edge (default 10)")
-        ->check(CLI::PositiveNumber);
+                   "per pixel in the files, else 1)");
+    cli::AddNumber(&app, "--tile", &o->tile, {.lo = 1, .hi = 1 << 16},
+                   "pixels along a tile's edge (default 10)");
     AddChannels(&app, &o->channels);
     AddCrop(&app, &o->crop);
     return cli::Parse(&app, args);
@@ -56,8 +57,9 @@ double VarianceRatio(const Options &o, const Image &image, const Image &referenc
     return double(*referenceSamples) / *samples;
 }
 
-Outcome TestTiles(const Options &o, const Image &image, const Image &reference) {
-    const OrError<Image> variance = ReadPart(o.variance, image.ChannelNames(), o.crop);
+Outcome TestTiles(const Options &o, const Image &image, const Image &reference,
+                  std::string *remarks) {
+    const OrError<Image> variance = ReadPart(o.variance, image.ChannelNames(), o.crop, remarks);
     if (!variance) return Failure(variance.error);
     if (variance.value->Resolution() != image.Resolution())
         return Failure(fmt::format("{}: has not the size of the pictures", o.variance));
@@ -72,15 +74,9 @@ Outcome TestTiles(const Options &o, const Image &image, const Image &reference) 
             {}};
 }
 
-}  // namespace
-
-Outcome Diff(Args args) {
-    Options o;
-    if (auto end = ParseOptions(args, &o)) return *end;
-    const Metric *metric = MetricNamed(o.metric);
-    if (!metric) return Failure(UnknownMetric(o.metric));
-    OrError<Image> image = ReadPart(o.file, o.channels, o.crop);
-    OrError<Image> reference = ReadPart(o.reference, o.channels, o.crop);
+Outcome Compare(Options o, const Metric *metric, std::string *remarks) {
+    OrError<Image> image = ReadPart(o.file, o.channels, o.crop, remarks);
+    OrError<Image> reference = ReadPart(o.reference, o.channels, o.crop, remarks);
     if (!image || !reference) return Failure(image ? reference.error : image.error);
     if (o.channels.empty()) {
         ChooseChannels(*image.value, *reference.value, &o.channels);
@@ -97,13 +93,25 @@ Outcome Diff(Args args) {
         const Outcome written = Write(picture, o.outfile, ExrPixels::Float);
         if (written.exitCode != 0) return written;
     }
-    if (!o.variance.empty()) return TestTiles(o, *image.value, *reference.value);
+    if (!o.variance.empty()) return TestTiles(o, *image.value, *reference.value, remarks);
     if (error <= o.tolerance) return {};
     const double a = AverageValue(*image.value), b = AverageValue(*reference.value);
     return {1,
             fmt::format("{}: average {:.6g}\n{}: average {:.6g}\ndelta {:+.4f} %, {} {:.6g}\n",
                         o.file, a, o.reference, b, 100 * (a - b) / b, metric->name, error),
             {}};
+}
+
+}  // namespace
+
+Outcome Diff(Args args) {
+    Options o;
+    if (auto end = ParseOptions(args, &o)) return *end;
+    const Metric *metric = MetricNamed(o.metric);
+    if (!metric) return Failure(UnknownMetric(o.metric));
+    std::string remarks;
+    const Outcome outcome = Compare(std::move(o), metric, &remarks);
+    return Remarking(remarks, outcome);
 }
 
 }  // namespace pbrt::imgtool

@@ -37,14 +37,16 @@ Outcome Error(Args args) {
     if (!files) return Failure(files.error);
     const size_t n = files.value->size();
     if (n < 2) return Failure("error needs two pictures at least");
-    const OrError<Image> reference = ReadPart(o.reference, {}, o.crop);
+    std::string remarks;
+    const OrError<Image> reference = ReadPart(o.reference, {}, o.crop, &remarks);
     if (!reference) return Failure(reference.error);
 
     double sum = 0;
     std::optional<Image> total;
     std::optional<int> samples;
     for (const std::string &file : *files.value) {
-        const OrError<Image> image = ReadPart(file, reference.value->ChannelNames(), o.crop);
+        const OrError<Image> image =
+            ReadPart(file, reference.value->ChannelNames(), o.crop, &remarks);
         if (!image) return Failure(image.error);
         if (auto mismatch = Mismatch(*image.value, *reference.value))
             return Failure(fmt::format("{}: {}", file, *mismatch));
@@ -70,7 +72,7 @@ Outcome Error(Args args) {
     return {0,
             fmt::format("{} {:.6g}, from {} pictures{}\n", metric->name, sum / double(n - 1), n,
                         perPixel),
-            {}};
+            remarks};
 }
 
 }  // namespace pbrt::imgtool

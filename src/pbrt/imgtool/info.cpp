@@ -4,6 +4,7 @@
 
 #include "pbrt/image/primaries.h"
 #include "pbrt/imgtool/command_line.h"
+#include "pbrt/imgtool/pictures.h"
 #include "pbrt/spectra/color.h"
 
 namespace pbrt::imgtool {
@@ -86,7 +87,7 @@ Outcome Info(Args args) {
     if (auto end = cli::Parse(&app, args)) return *end;
     Outcome outcome;
     for (const std::string &file : files) {
-        const OrError<Image> image = ReadImage(file, {}, Pipes::Taken);
+        const OrError<Image> image = Read(file, &outcome.err);
         if (image) {
             outcome.out += Text(file, *image.value);
         } else {

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include "pbrt/cli/options.h"
 #include "pbrt/imgtool/command_line.h"
+#include "pbrt/imgtool/pictures.h"
 #include "pbrt/util/equal_area.h"
 
 namespace pbrt::imgtool {
@@ -53,17 +55,18 @@ Outcome MakeEquiArea(Args args) {
         "imgtool makeequiarea");
     app.add_option("picture", file, "latitude-longitude picture")->required();
     AddOutfile(&app, &outfile);
-    app.add_option("--resolution", resolution, "pixels along the edge (default: the input's width)")
-        ->check(CLI::Range(1, 32768));
+    cli::AddNumber(&app, "--resolution", &resolution, {.lo = 1, .hi = 32768},
+                   "pixels along the edge (default: the input's width)");
     if (auto end = cli::Parse(&app, args)) return *end;
-    const OrError<Image> latLong = ReadImage(file, {}, Pipes::Taken);
+    std::string remarks;
+    const OrError<Image> latLong = Read(file, &remarks);
     if (!latLong) return Failure(latLong.error);
     const auto [width, height] = latLong.value->Resolution();
     if (width != 2 * height)
         return Failure(fmt::format("{}: has {} x {} pixels, not twice as many columns as rows",
                                    file, width, height));
-    return Write(EqualArea(*latLong.value, resolution > 0 ? resolution : width), outfile,
-                 ExrPixels::Float);
+    return Remarking(remarks, Write(EqualArea(*latLong.value, resolution > 0 ? resolution : width),
+                                    outfile, ExrPixels::Float));
 }
 
 }  // namespace pbrt::imgtool

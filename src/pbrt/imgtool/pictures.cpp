@@ -48,9 +48,16 @@ OrError<Image> Crop(const Image &image, const std::vector<int> &crop) {
     return {std::move(part), {}};
 }
 
-OrError<Image> ReadPart(const std::string &fileName, const std::vector<std::string> &channels,
-                        const std::vector<int> &crop) {
+OrError<Image> Read(const std::string &fileName, std::string *remarks) {
     OrError<Image> image = ReadImage(fileName, {}, Pipes::Taken);
+    if (image && !image.value->metadata.unread.empty())
+        *remarks += fmt::format("imgtool: {}: {}\n", fileName, image.value->metadata.unread);
+    return image;
+}
+
+OrError<Image> ReadPart(const std::string &fileName, const std::vector<std::string> &channels,
+                        const std::vector<int> &crop, std::string *remarks) {
+    OrError<Image> image = Read(fileName, remarks);
     if (!image) return image;
     if (!channels.empty()) image = SelectChannels(*image.value, channels);
     if (image && !crop.empty()) image = Crop(*image.value, crop);

@@ -1,5 +1,7 @@
 #include "pbrt/lights/image_infinite.h"
 
+#include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace pbrt {
@@ -31,19 +33,49 @@ PiecewiseConstant2D Compensated(std::vector<float> weights, int resolution) {
     return PiecewiseConstant2D(weights, resolution, resolution);
 }
 
+/// The second integral of the height 1 - s^2 above the horizon, 0 below it (s > 1), from s = 0.
+double HeightTwiceIntegrated(double s) {
+    return s <= 1 ? s * s * (0.5 - s * s / 12) : 5. / 12 + 2. / 3 * (s - 1);
+}
+
+/// Integral over [a0, a1] x [b0, b1], none of it below 0, of the height at a + b.
+double HeightOver(double a0, double a1, double b0, double b1) {
+    // Below the horizon the differences would leave rounding errors, which bright texels multiply;
+    // what lies within 1e-12 of it above counts for nothing.
+    const bool isEmpty = a1 <= a0 || b1 <= b0, isBelow = a0 + b0 >= 1 - 1e-12;
+    if (isEmpty || isBelow) return 0;
+    return HeightTwiceIntegrated(a1 + b1) - HeightTwiceIntegrated(a0 + b1) -
+           HeightTwiceIntegrated(a1 + b0) + HeightTwiceIntegrated(a0 + b0);
+}
+
+/// One texel's interval in [-1, 1] as its parts on either side of 0, both measured from 0.
+struct Halves {
+    std::array<std::array<double, 2>, 2> part;
+    Halves(int i, int n) {
+        const double lo = 2. * i / n - 1, hi = 2. * (i + 1) / n - 1;
+        part = {{{std::max(0., -hi), std::max(0., -lo)}, {std::max(0., lo), std::max(0., hi)}}};
+    }
+};
+
 }  // namespace
 
 float ImageInfiniteLight::Illuminance(const Image &image, const RGBColorSpace &colorSpace) {
+    // With u, v in [-1, 1], height is 1 - (|u| + |v|)^2 and solid angle pi du dv (equal_area.h), so
+    // that texels, of which the horizon cuts some, are integrated in closed form.
     const Point2i res = image.Resolution();
     double sum = 0;
     for (int y = 0; y < res.y; ++y) {
+        const Halves v(y, res.y);
         for (int x = 0; x < res.x; ++x) {
-            const Vector3f w = EqualAreaSquareToSphere(
-                Point2f{(float(x) + 0.5f) / float(res.x), (float(y) + 0.5f) / float(res.y)});
-            if (w.z > 0) sum += double(w.z * Luminance(TexelRGB(image, x, y), colorSpace));
+            const Halves u(x, res.x);
+            double height = 0;
+            for (const auto &[a0, a1] : u.part)
+                for (const auto &[b0, b1] : v.part)
+                    height += HeightOver(a0, a1, b0, b1);
+            sum += height * double(Luminance(TexelRGB(image, x, y), colorSpace));
         }
     }
-    return float(sum * 4 * double(Pi) / (double(res.x) * double(res.y)));
+    return float(sum * double(Pi));
 }
 
 uint64_t ImageInfiniteLight::BytesToCreate(const Image &image) {

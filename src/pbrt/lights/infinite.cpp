@@ -49,6 +49,8 @@ std::optional<std::variant<UniformInfiniteLight, ImageInfiniteLight>> CreateInfi
         params.Error("filename", image ? fmt::format("\"{}\" {}", file, unfit) : image.error);
         return std::nullopt;
     }
+    if (const std::string &unread = image.value->metadata.unread; !unread.empty())
+        params.WarningOnce("filename", fmt::format("{}: {}", file, unread));
     const RGBColorSpace &space = ColorSpaceOf(*image.value);
     const float illuminance = ImageInfiniteLight::Illuminance(*image.value, space);
     if (scale.target > 0 && !(illuminance > 0)) {

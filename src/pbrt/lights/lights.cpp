@@ -1,6 +1,9 @@
 #include "pbrt/lights/lights.h"
 
+#include <fmt/format.h>
+
 #include "pbrt/lights/infinite.h"
+#include "pbrt/util/range.h"
 
 namespace pbrt {
 namespace {
@@ -8,6 +11,14 @@ namespace {
 constexpr std::array<std::string_view, 4> kNames{PointLight::kName, SpotLight::kName,
                                                  DistantLight::kName, UniformInfiniteLight::kName};
 constexpr std::array<std::string_view, 1> kAreaNames{DiffuseAreaLight::kName};
+
+/// Whether directions keep lengths to normalise by on their way to the light and back.
+bool KeepsDirections(const Transform &t) {
+    for (const Vector3f &axis : {Vector3f{1, 0, 0}, Vector3f{0, 1, 0}, Vector3f{0, 0, 1}})
+        if (!HasSafeLength(t.Vector(axis)) || !HasSafeLength(t.Inverse().Vector(axis)))
+            return false;
+    return true;
+}
 
 std::optional<Light> CreateNamed(std::string_view type, ParamDict &params,
                                  const Transform &renderFromLight) {
@@ -34,7 +45,19 @@ std::optional<Light> CreateLight(std::string_view type, ParamDict &params,
         params.Error(UnknownName("light", type, kNames));
         return std::nullopt;
     }
+    if (!KeepsDirections(renderFromLight)) {
+        params.Error(
+            fmt::format("light \"{}\": its transformation scales by less than {:g} or more "
+                        "than {:g}",
+                        type, kShortestVector, kLongestVector));
+        return std::nullopt;
+    }
     std::optional<Light> light = CreateNamed(type, params, renderFromLight);
+    const auto place = light ? Bounds(*light) : std::nullopt;
+    if (place && !IsInRange(place->bounds))
+        params.Error("from", fmt::format("light \"{}\" stands beyond {:g}, up to where light can "
+                                         "be traced",
+                                         type, kFarthest));
     params.ReportUnused();
     return light;
 }

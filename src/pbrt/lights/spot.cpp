@@ -1,5 +1,7 @@
 #include "pbrt/lights/spot.h"
 
+#include "pbrt/lights/from_to.h"
+
 namespace pbrt {
 namespace {
 
@@ -16,17 +18,15 @@ float EffectiveSolidAngle(float cosStart, float cosEnd) {
 
 SpotLight SpotLight::Create(ParamDict &params, const Transform &renderFromLight) {
     const Emission emission = GetEmission(params, "I");
-    const Point3f from = params.GetOnePoint3f("from", {});
-    const Point3f to = params.GetOnePoint3f("to", {0, 0, 1});
-    if (from == to) params.Error("to", "\"from\" and \"to\" are the same point: no direction");
+    const auto [from, along] = GetFromTo(params, renderFromLight);
     const float cone = params.GetOneFloat(kConeAngle), delta = params.GetOneFloat(kConeDelta);
     // A delta beyond the cone counts from the other side, as in pbrt-v4.
     const float start = std::min(std::abs(cone - delta), cone);
     const float cosStart = std::cos(Radians(start)), cosEnd = std::cos(Radians(cone));
-    const Vector3f axis = from == to ? Vector3f{0, 0, 1} : Normalize(to - from);
     SpotLight light;
-    light.beam = std::make_shared<Beam>(Beam{emission.spectrum, emission.luminance,
-                                             renderFromLight.Inverse(), axis, cosStart, cosEnd});
+    light.beam =
+        std::make_shared<Beam>(Beam{emission.spectrum, emission.luminance,
+                                    renderFromLight.Inverse(), Normalize(along), cosStart, cosEnd});
     light.p = renderFromLight.Point(from);
     light.scale = GetScale(params, "power", "lm").For(EffectiveSolidAngle(cosStart, cosEnd));
     return light;

@@ -11,13 +11,20 @@ NumberRow Row(const feather::Param &p) {
     return {p.name, feather::UnitName(p.unit), float(p.def), float(p.lo), float(p.hi), p.doc};
 }
 
+/// What may have led to v outside [lo, hi].
+std::string_view Guess(const feather::SpectrumParam &row, float v) {
+    if (v == 0) return "; spectra that stand in the scene are 0 outside their wavelengths";
+    const bool looksLikePercent = row.hi == 1 && v > 1 && v <= 100;
+    return looksLikePercent ? "; is this in percent?" : "";
+}
+
 /// Reports the first whole nanometre at which `s` leaves [lo, hi].
 void CheckRange(ParamDict &params, const feather::SpectrumParam &row, const Spectrum &s) {
     for (int lambda = int(LambdaMin); lambda <= int(LambdaMax); ++lambda) {
         const float v = s(float(lambda));
         if (v >= float(row.lo) && v <= float(row.hi)) continue;
-        params.Error(row.name, fmt::format("\"{}\" is {} at {} nm, outside [{}, {}]", row.name, v,
-                                           lambda, row.lo, row.hi));
+        params.Error(row.name, fmt::format("\"{}\" is {} at {} nm, outside [{}, {}]{}", row.name, v,
+                                           lambda, row.lo, row.hi, Guess(row, v)));
         return;
     }
 }

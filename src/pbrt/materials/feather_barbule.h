@@ -22,6 +22,7 @@ class FeatherBarbuleMaterial {
     static FeatherBarbuleMaterial Create(ParamDict &params, const NamedTextures &named);
 
     bool IsPlain() const;
+    static constexpr std::string_view LaidByUV() { return "barbules"; }
     FeatherBarbuleBxDF GetBxDF(const TextureEvalContext &ctx,
                                const SampledWavelengths &lambda) const {
         return FeatherBarbuleBxDF(GetSurface(ctx, lambda));

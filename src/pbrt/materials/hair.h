@@ -13,8 +13,10 @@ namespace pbrt {
 class HairMaterial {
   public:
     static constexpr std::string_view kName = "hair";
+    static constexpr bool kFibre = true;
     static HairMaterial Create(ParamDict &params, const NamedTextures &named);
 
+    static constexpr std::string_view LaidByUV() { return "fibres"; }
     HairBxDF GetBxDF(const TextureEvalContext &ctx, const SampledWavelengths &lambda) const {
         const float beta_n = betaN.Evaluate(ctx);
         return HairBxDF(2 * ctx.uv.y - 1, eta.Evaluate(ctx), Absorption(ctx, lambda, beta_n),

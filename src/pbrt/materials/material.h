@@ -18,7 +18,8 @@ struct InterfaceMaterial {
     static constexpr std::string_view kName = "interface";
 };
 
-/// The one list of materials that scatter. A mix chooses one of them first.
+/// The one list of materials that scatter. A mix chooses one of them first. CONTRIBUTING.md has the
+/// members that each must have, and those it may have.
 using MaterialTypes =
     TypeList<DiffuseMaterial, ConductorMaterial, DielectricMaterial, FeatherBarbuleMaterial,
              HairMaterial, DiffuseTransmissionMaterial, CoatedDiffuseMaterial>;
@@ -45,6 +46,13 @@ inline constexpr bool TurnsFrame = requires(const M &m, const TextureEvalContext
     m.TurnFrame(Frame(), ctx);
 };
 
+/// Materials that stand for a fibre, met at an offset along the frame's y, declare kFibre: their
+/// frame faces the viewer.
+template <typename M>
+inline constexpr bool IsFibre = requires {
+    M::kFibre;
+};
+
 /// Whether the material is the same at every point, so that it needs no uv, nor tangents, where it
 /// does not turn its frame. Types that can be so have a member of that name.
 inline bool IsPlain(const Material &material) {
@@ -54,6 +62,21 @@ inline bool IsPlain(const Material &material) {
                 return m.IsPlain();
             else
                 return false;
+        },
+        material);
+}
+
+/// What runs along dp/du or dp/dv, in the plural, as "barbules"; empty where nothing does. Types
+/// where something does so have a member of that name. Textures are not meant.
+inline std::string_view LaidByUV(const Material &material) {
+    return std::visit(
+        [](const auto &m) -> std::string_view {
+            if constexpr (requires { m.LaidByUV(); })
+                return m.LaidByUV();
+            else if constexpr (requires { m.roughness.LaidByUV(); })
+                return m.roughness.LaidByUV();
+            else
+                return {};
         },
         material);
 }

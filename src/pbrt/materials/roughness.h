@@ -19,6 +19,11 @@ struct Roughness {
     bool IsPlain() const {
         return u.IsConstant() && v.IsConstant() && u.Constant() == v.Constant();
     }
+    /// See LaidByUV of materials.
+    std::string_view LaidByUV() const {
+        const bool differ = u.IsConstant() && v.IsConstant() && u.Constant() != v.Constant();
+        return differ ? "directions of roughness" : "";
+    }
     /// See Remarks of materials.
     std::string Remarks(std::string_view owner) const;
 };

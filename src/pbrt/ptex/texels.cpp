@@ -1,6 +1,8 @@
 #include "pbrt/ptex/texels.h"
 
+#include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace pbrt {
 namespace {

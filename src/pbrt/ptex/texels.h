@@ -2,9 +2,12 @@
 
 #include <half.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "pbrt/ptex/ptex.h"

@@ -5,13 +5,12 @@
 namespace pbrt {
 namespace {
 
-constexpr int kMaxSamples = 1 << 24;
 constexpr int kMaxStrata = 1 << 10;
 constexpr int kMaxZSobolResolution = 1 << 16;
 
 int ReadSamples(ParamDict &params, int def, const SamplerContext &context) {
-    const int written = params.GetOneInt("pixelsamples", def, 1, kMaxSamples);
-    return std::clamp(context.spp.value_or(written), 1, kMaxSamples);
+    const int written = params.GetOneInt("pixelsamples", def, 1, kMaxSamplesPerPixel);
+    return context.spp.value_or(written);
 }
 
 int ReadSeed(ParamDict &params, const SamplerContext &context) {
@@ -36,7 +35,11 @@ StratifiedSampler StratifiedSampler::Create(ParamDict &params, const SamplerCont
     Point2i cells{params.GetOneInt("xsamples", 4, 1, kMaxStrata),
                   params.GetOneInt("ysamples", 4, 1, kMaxStrata)};
     const bool jitter = params.GetOneBool("jitter", true);
-    if (context.spp) cells = NearlySquare(std::clamp(*context.spp, 1, kMaxStrata * kMaxStrata));
+    if (context.spp > kMaxStrata * kMaxStrata)
+        params.Error(fmt::format("stratified takes up to {} samples per pixel, not {}",
+                                 kMaxStrata * kMaxStrata, *context.spp));
+    else if (context.spp)
+        cells = NearlySquare(*context.spp);
     return StratifiedSampler(cells.x, cells.y, jitter, ReadSeed(params, context));
 }
 

@@ -9,6 +9,9 @@
 
 namespace pbrt {
 
+/// Of every sampler but `stratified`, which has 2^20.
+inline constexpr int kMaxSamplesPerPixel = 1 << 24;
+
 /// The one list of samplers.
 using SamplerTypes = TypeList<ZSobolSampler, IndependentSampler, StratifiedSampler>;
 using Sampler = SamplerTypes::Variant;

@@ -2,7 +2,9 @@
 
 #include <deque>
 #include <map>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "pbrt/scene/entity_queue.h"
@@ -46,6 +48,9 @@ struct Options {
     std::string renderCoordSys = "cameraworld";
     std::string mseReferenceImage, mseReferenceOut;
 };
+
+/// Names that `Option` takes, as PBRT_FORMAT 1.4 spells them.
+std::span<const std::string_view> OptionNames();
 
 /// A whole scene as written: plain entities, printable, nothing interpreted.
 struct Description {

@@ -28,6 +28,10 @@ std::string Normalised(std::string_view name) {
 
 }  // namespace
 
+std::span<const std::string_view> OptionNames() {
+    return kNames;
+}
+
 void Parser::Option() {
     const FileLoc loc = lexer->Loc();
     const std::optional<std::string> given = Name("the option's name");

@@ -76,7 +76,8 @@ class ParamDict {
     Vector3f GetOneVector3f(std::string_view name, Vector3f def);
     /// From rgb, blackbody or spectrum (inline, named, file); nullopt where not given or wrong.
     /// Of these types the last one written counts. rgb: below 0, or above 1 for Albedo, is an
-    /// error.
+    /// error. Outside their wavelengths spectra are 0, as in pbrt-v4, but measurements in files:
+    /// there albedos and unbounded ones keep the end's value, with one warning a file.
     std::optional<Spectrum> GetOneSpectrum(std::string_view name, SpectrumType role);
     /// The RGB itself where the parameter was given as `rgb`.
     std::optional<RGB> GetOneRGB(std::string_view name);
@@ -109,6 +110,8 @@ class ParamDict {
     /// to the message.
     void Error(std::string_view name, std::string_view message);
     void Warning(std::string_view name, std::string_view message);
+    /// See Diagnostics::WarningOnce.
+    void WarningOnce(std::string_view name, std::string_view message);
     /// An error at the directive.
     void Error(std::string_view message);
     Diagnostics &Log() { return *diagnostics; }
@@ -144,7 +147,7 @@ class ParamDict {
     std::optional<Spectrum> FromRGB(const ParsedParameter &p, SpectrumType role);
     std::optional<Spectrum> FromBlackbody(const ParsedParameter &p);
     std::optional<Spectrum> FromPairs(const ParsedParameter &p);
-    std::optional<Spectrum> FromNameOrFile(const ParsedParameter &p);
+    std::optional<Spectrum> FromNameOrFile(const ParsedParameter &p, SpectrumType role);
     /// An error about the value of `p`, at the value.
     void ValueError(const ParsedParameter &p, std::string_view message);
     void ReportUnused(const ParsedParameter &p, size_t index);

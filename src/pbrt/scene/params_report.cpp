@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "pbrt/scene/params.h"
+#include "pbrt/util/upstream.h"
 
 namespace pbrt {
 
@@ -14,6 +15,10 @@ void ParamDict::Error(std::string_view name, std::string_view message) {
 
 void ParamDict::Warning(std::string_view name, std::string_view message) {
     diagnostics->Warning(Loc(name), message);
+}
+
+void ParamDict::WarningOnce(std::string_view name, std::string_view message) {
+    diagnostics->WarningOnce(Loc(name), message);
 }
 
 void ParamDict::Error(std::string_view message) {
@@ -42,21 +47,26 @@ void ParamDict::ReportUnused(const ParsedParameter &p, size_t index) {
     }
     std::vector<std::string> expected;
     std::vector<std::string_view> known;
+    bool inAnyType = false;
     for (const Asked &a : asked) {
         if (std::find(known.begin(), known.end(), a.name) == known.end()) known.push_back(a.name);
         if (a.name != p.name) continue;
-        if (a.type == p.type || a.type.empty())
+        if (a.type == p.type)
             return diagnostics->Error(p.loc, fmt::format("\"{}\" has no effect here", given));
-        expected.push_back(fmt::format("{} {}", a.type, a.name));
+        inAnyType |= a.type.empty();
+        if (!a.type.empty()) expected.push_back(fmt::format("{} {}", a.type, a.name));
     }
     if (!expected.empty()) {
         const std::vector<std::string_view> names(expected.begin(), expected.end());
         return diagnostics->Error(p.loc,
                                   fmt::format("\"{}\": expected {}", given, QuotedList(names)));
     }
+    if (inAnyType)
+        return diagnostics->Error(p.loc, fmt::format("\"{}\" has no effect here", given));
     const std::string unknown = fmt::format("unknown parameter \"{}\" of {}", given, what);
     if (known.empty()) return diagnostics->Error(p.loc, unknown + ", which takes none");
-    const std::string hint = DidYouMean(p.name, known);
+    const std::string upstream = PbrtHasIt(what, p.name);
+    const std::string hint = upstream.empty() ? DidYouMean(p.name, known) : upstream + ';';
     diagnostics->Error(p.loc, fmt::format("{}{} known: {}", unknown, hint.empty() ? ";" : hint,
                                           fmt::join(known, ", ")));
 }

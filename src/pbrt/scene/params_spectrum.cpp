@@ -7,13 +7,22 @@
 #include "pbrt/spectra/spectrum_file.h"
 
 namespace pbrt {
+namespace {
+
+/// Whether 0 beyond an end that lies within visible light is another spectrum than the end's value.
+bool EndsMatter(const SpectrumPoints &points) {
+    return (points.lambda.front() > LambdaMin && points.values.front() != 0) ||
+           (points.lambda.back() < LambdaMax && points.values.back() != 0);
+}
+
+}  // namespace
 
 std::optional<Spectrum> ParamDict::GetOneSpectrum(std::string_view name, SpectrumType role) {
     const ParsedParameter *const p = Find(name, {"rgb", "spectrum", "blackbody"});
     if (!p) return {};
     if (p->type == "rgb") return FromRGB(*p, role);
     if (p->type == "blackbody") return FromBlackbody(*p);
-    if (!p->strings.empty()) return FromNameOrFile(*p);
+    if (!p->strings.empty()) return FromNameOrFile(*p, role);
     return FromPairs(*p);
 }
 
@@ -63,12 +72,22 @@ std::optional<Spectrum> ParamDict::FromPairs(const ParsedParameter &p) {
     return Spectrum::PiecewiseLinear(lambda, values);
 }
 
-std::optional<Spectrum> ParamDict::FromNameOrFile(const ParsedParameter &p) {
+std::optional<Spectrum> ParamDict::FromNameOrFile(const ParsedParameter &p, SpectrumType role) {
     if (!CountIs(p, 1)) return {};
     const std::string &name = p.strings[0];
     if (const Spectrum *named = GetNamedSpectrum(name)) return *named;
-    const OrError<SpectrumPoints> file = ReadSpectrumFile(ResolvePath(name, dir));
-    if (file) return Spectrum::PiecewiseLinear(file.value->lambda, file.value->values);
+    OrError<SpectrumPoints> file = ReadSpectrumFile(ResolvePath(name, dir));
+    if (file) {
+        if (EndsMatter(*file.value))
+            diagnostics->WarningOnce(
+                p.valueLoc,
+                fmt::format("\"{}\" covers {} to {} nm of {} to {}: outside, surfaces have its end "
+                            "values and lights are dark",
+                            name, file.value->lambda.front(), file.value->lambda.back(), LambdaMin,
+                            LambdaMax));
+        if (role != SpectrumType::Illuminant) *file.value = HoldingEnds(std::move(*file.value));
+        return Spectrum::PiecewiseLinear(file.value->lambda, file.value->values);
+    }
     ValueError(p, fmt::format("\"{}\" is no built-in spectrum, and as a file: {}{}", name,
                               file.error, DidYouMean(name, NamedSpectrumNames())));
     return {};

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "pbrt/shapes/shape.h"
+#include "pbrt/util/range.h"
 
 namespace pbrt {
 namespace {
@@ -28,6 +29,18 @@ constexpr auto kNames = [] {
     return names;
 }();
 
+/// Traversal would leave out what lies too far off.
+std::vector<Shape> InRange(std::vector<Shape> shapes, ParamDict &params) {
+    for (const Shape &shape : shapes) {
+        const Bounds3f b = Bounds(shape);
+        if (b.Empty() || IsInRange(b)) continue;
+        params.Error(fmt::format("{} reaches to {:g}; only coordinates up to {:g} can be traced",
+                                 params.What(), Reach(b), kFarthest));
+        return {};
+    }
+    return shapes;
+}
+
 }  // namespace
 
 std::span<const std::string_view> ShapeNames() {
@@ -37,11 +50,13 @@ std::span<const std::string_view> ShapeNames() {
 std::vector<Shape> CreateShapes(const ShapeEntity &entity, ParamDict &params,
                                 const Transform &renderFromObject) {
     for (const ShapeType &type : kTypes)
-        if (type.name == entity.type) return type.create({entity, params, renderFromObject});
-    params.Error(fmt::format(
-        "unknown shape \"{}\"{} expected {}", entity.type,
-        DidYouMean(entity.type, kNames).empty() ? ";" : DidYouMean(entity.type, kNames) + " -",
-        QuotedList(kNames)));
+        if (type.name == entity.type) {
+            std::vector<Shape> shapes =
+                InRange(type.create({entity, params, renderFromObject}), params);
+            params.ReportUnused();
+            return shapes;
+        }
+    params.Error(UnknownName("shape", entity.type, kNames));
     return {};
 }
 

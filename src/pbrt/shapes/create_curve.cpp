@@ -81,7 +81,8 @@ class CurveReader {
             shapes.emplace_back(Ribbon(n));
         } else {
             curves.type = CurveType(type);
-            curves.flipNormal = IsFlipped();
+            curves.flipNormal = a.entity.reverseOrientation;
+            curves.mirrored = IsMirrored();
             shapes.emplace_back(std::move(curves));
         }
         return shapes;
@@ -171,7 +172,8 @@ class CurveReader {
             for (int k = 0; k <= kRibbonSteps; ++k) {
                 const float u = float(k) / kRibbonSteps;
                 const CurveAt at(&curves.points[curves.first[i]], u);
-                const Vector3f side = UnitCross(Slerp(u, from, to), at.dpdu);
+                const Vector3f right = UnitCross(Slerp(u, from, to), at.dpdu);
+                const Vector3f side = IsMirrored() ? -right : right;
                 for (float v : {0.f, 1.f}) {
                     mesh.p.push_back(at.p + (2 * v - 1) * at.radius * side);
                     mesh.n.push_back((IsFlipped() ? -1.f : 1.f) * UnitCross(at.dpdu, side));
@@ -187,9 +189,8 @@ class CurveReader {
         return mesh;
     }
 
-    bool IsFlipped() const {
-        return a.entity.reverseOrientation != a.renderFromObject.SwapsHandedness();
-    }
+    bool IsMirrored() const { return a.renderFromObject.SwapsHandedness(); }
+    bool IsFlipped() const { return a.entity.reverseOrientation != IsMirrored(); }
 
     const ShapeArguments &a;
     ParamDict &params;
@@ -203,6 +204,7 @@ class CurveReader {
 bool Append(const CurveSet &more, CurveSet *into) {
     const size_t before = into->points.size();
     if (more.type != into->type || more.flipNormal != into->flipNormal ||
+        more.mirrored != into->mirrored ||
         into->first.size() + more.first.size() > kMaxCurveSegments)
         return false;
     for (const uint32_t first : more.first)

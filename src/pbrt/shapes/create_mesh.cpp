@@ -77,6 +77,16 @@ bool IsFinite(Vector3f v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
+/// A power of two that makes what the transform does to normals neither over- nor underflow where
+/// they are normalised.
+float NormalScale(const Transform &t) {
+    float most = 0;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            most = std::max(most, std::abs(t.InverseMatrix()[i][j]));
+    return most > 1e-6f && most < 1e6f ? 1 : std::ldexp(1.f, -std::ilogb(most));
+}
+
 /// Moves points and normals. Embree reads 16 bytes for the last vertex of 12.
 template <typename Mesh>
 std::optional<std::string> PlaceCommon(const Transform &t, bool reverse, Mesh *mesh) {
@@ -89,10 +99,11 @@ std::optional<std::string> PlaceCommon(const Transform &t, bool reverse, Mesh *m
                                before.x, before.y, before.z, mesh->p[i].x, mesh->p[i].y,
                                mesh->p[i].z);
     }
+    const float normalScale = NormalScale(t);
     for (size_t i = 0; i < mesh->n.size(); ++i) {
         if (!IsFinite(mesh->n[i])) return fmt::format("normal {} is not finite", i);
         // Not normalised: so instances, transformed after interpolation, look like copies.
-        const Normal3f n = t.Normal(mesh->n[i]);
+        const Normal3f n = t.Normal(normalScale * mesh->n[i]);
         mesh->n[i] = reverse ? -n : n;
     }
     for (size_t i = 0; i < mesh->uv.size(); ++i)

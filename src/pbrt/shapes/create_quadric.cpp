@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <initializer_list>
 
 #include "pbrt/shapes/create.h"
+#include "pbrt/util/range.h"
 
 namespace pbrt {
 namespace {
@@ -49,15 +52,39 @@ class QuadricReader {
         ok = false;
     }
 
+    /// `lengths`: all the quadric has.
     template <typename Q>
-    std::vector<Shape> Finish(Q quadric) const {
-        if (!ok) return {};
+    std::vector<Shape> Finish(Q quadric, std::initializer_list<float Q::*> lengths) {
         quadric.renderFromObject = a.renderFromObject;
+        const float unit = Unit(quadric.radius);
+        if (unit != 1) {
+            for (float Q::*const length : lengths)
+                quadric.*length /= unit;
+            quadric.renderFromObject = a.renderFromObject * *Transform::Scale({unit, unit, unit});
+        }
+        if (ok) CheckSize(quadric.renderFromObject);
+        if (!ok) return {};
         quadric.flipNormal = a.entity.reverseOrientation;
         return {Shape(quadric)};
     }
 
   private:
+    /// What to measure a quadric of this radius in, so that squares of object space lengths neither
+    /// over- nor underflow: a power of two, by which nothing else is changed.
+    static float Unit(float radius) {
+        return radius > 1e-6f && radius < 1e6f ? 1 : std::ldexp(1.f, std::ilogb(radius));
+    }
+    /// Normals and tangents must have lengths to normalise by.
+    void CheckSize(const Transform &renderFromObject) {
+        const Transform inverse = renderFromObject.Inverse();
+        for (const Vector3f &axis : {Vector3f{1, 0, 0}, Vector3f{0, 1, 0}, Vector3f{0, 0, 1}})
+            if (ok && !(HasSafeLength(renderFromObject.Vector(axis)) &&
+                        HasSafeLength(inverse.Vector(axis))))
+                Fail("", fmt::format("is {:g} in size where it stands; {:g} to {:g} can be traced",
+                                     Length(renderFromObject.Vector(axis)), kShortestVector,
+                                     kFarthest));
+    }
+
     const ShapeArguments &a;
     bool ok = true;
 };
@@ -77,7 +104,7 @@ std::vector<Shape> CreateSphere(const ShapeArguments &a) {
     s.zMin = std::max(s.zMin, -s.radius);
     s.zMax = std::min(s.zMax, s.radius);
     s.phiMax = reader.PhiMax();
-    return reader.Finish(s);
+    return reader.Finish(s, {&Sphere::radius, &Sphere::zMin, &Sphere::zMax});
 }
 
 std::vector<Shape> CreateDisk(const ShapeArguments &a) {
@@ -90,7 +117,7 @@ std::vector<Shape> CreateDisk(const ShapeArguments &a) {
         reader.Fail("innerradius", fmt::format("\"float innerradius\": {} is outside [0, {})",
                                                d.innerRadius, d.radius));
     d.phiMax = reader.PhiMax();
-    return reader.Finish(d);
+    return reader.Finish(d, {&Disk::radius, &Disk::innerRadius, &Disk::height});
 }
 
 std::vector<Shape> CreateCylinder(const ShapeArguments &a) {
@@ -99,7 +126,7 @@ std::vector<Shape> CreateCylinder(const ShapeArguments &a) {
     c.radius = reader.Radius();
     reader.ZRange(&c.zMin, &c.zMax);
     c.phiMax = reader.PhiMax();
-    return reader.Finish(c);
+    return reader.Finish(c, {&Cylinder::radius, &Cylinder::zMin, &Cylinder::zMax});
 }
 
 }  // namespace pbrt

@@ -27,9 +27,10 @@ struct CurveAt {
     }
 };
 
-/// uv: u from 0 to 1 along each segment, v across the width. dpdu, dpdv and n are right-handed with
-/// n towards the ray's origin, so that v grows along dpdv. A ray that leaves starts a whole width
-/// off, for the curve turns to face it.
+/// uv: u from 0 to 1 along each segment, v across the width, growing along dpdv. dpdu, dpdv and the
+/// direction to the ray's origin are right-handed; left-handed where a transform has mirrored the
+/// curve, be it an instance's or its own. A ray that leaves starts a whole width off, for the curve
+/// turns to face it.
 inline SurfacePoint InteractCurve(const CurveSet &curves, const Hit &hit, const Ray &ray) {
     const uint32_t first = curves.first[hit.primitive];
     const float u = std::clamp(hit.u, 0.f, 1.f);
@@ -53,6 +54,10 @@ inline SurfacePoint InteractCurve(const CurveSet &curves, const Hit &hit, const 
     s.pError = Abs(n) * width + Gamma(3) * Abs(s.p);
     s.dpdu = s.dpdus = at.dpdu;
     s.dpdv = width * across;
+    if (curves.mirrored) {
+        s.uv.y = 1 - s.uv.y;
+        s.dpdv = -s.dpdv;
+    }
     s.faceIndex = int(hit.primitive);
     return s;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdlib>
 
 namespace pbrt {
 namespace {
@@ -37,9 +38,10 @@ bool PlyValues::NextWord(PlyType type, double *value) {
         *value = double(integer);
     } else {
         parsed = std::from_chars(first, last, *value);
-        if (parsed.ec == std::errc::result_out_of_range) {  // denormal or huge
-            parsed.ec = std::errc();
-            *value = std::strtod(std::string(first, parsed.ptr).c_str(), nullptr);
+        if (parsed.ec == std::errc::result_out_of_range) {  // for double
+            long double wide = 0;
+            parsed = std::from_chars(first, last, wide);
+            *value = double(wide);
         }
     }
     if (parsed.ec != std::errc() || (parsed.ptr != last && !IsSpace(uint8_t(*parsed.ptr)))) {

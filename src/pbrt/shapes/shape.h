@@ -14,7 +14,8 @@ namespace pbrt {
 // Interact and InteractLightly, called once per ray, are inline: interact.h.
 
 /// Makes the shapes one directive describes: usually one; a PLY file with triangles and quads makes
-/// two. Empty after an error (which is in the log).
+/// two. Empty after an error (which is in the log). Parameters that no one read are errors, but
+/// those of an unknown shape.
 std::vector<Shape> CreateShapes(const ShapeEntity &entity, ParamDict &params,
                                 const Transform &renderFromObject);
 std::span<const std::string_view> ShapeNames();

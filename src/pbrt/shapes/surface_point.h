@@ -30,7 +30,21 @@ struct SurfacePointT {
     Vec2<T> uv;
     IntOf<T> faceIndex{};
 
-    FrameT<T> ShadingFrame() const { return FrameT<T>::FromZTangent(ns, dpdus); }
+    /// x along dpdus, y on dpdv's side, z = ns. Left-handed where (dpdu, dpdv, n) are, as on all
+    /// mirrored surfaces: what a material does is then mirrored with its surface.
+    FrameT<T> ShadingFrame() const {
+        FrameT<T> frame = FrameT<T>::FromZTangent(ns, dpdus);
+        frame.y = Select(Dot(Cross(dpdu, dpdv), n) < 0, -frame.y, frame.y);
+        return frame;
+    }
+    /// For fibres, met by a ray of direction d: the same with z towards the viewer, so that what is
+    /// met at an offset along y is met there from either side. Curves face the ray but for
+    /// roundings at their rim.
+    FrameT<T> FibreFrame(Vec3<T> d) const {
+        FrameT<T> frame = ShadingFrame();
+        frame.z = Select(Dot(frame.z, d) > 1e-6f, -frame.z, frame.z);
+        return frame;
+    }
     /// Origin for a ray that leaves into direction w without meeting this surface again.
     Vec3<T> OffsetOrigin(Vec3<T> w) const {
         const T d = Dot(Abs(n), pError);

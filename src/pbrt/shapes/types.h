@@ -77,7 +77,8 @@ struct CurveSet {
     std::vector<uint32_t> first;     ///< per segment: its first point of four
     std::vector<CurvePoint> points;  ///< rendering space (object's space of an instance)
     CurveType type = CurveType::Flat;
-    bool flipNormal = false;
+    bool flipNormal = false;  ///< ReverseOrientation alone: normals face away from the ray
+    bool mirrored = false;    ///< by a left-handed transform: v runs to the other side
     size_t NPrimitives() const { return first.size(); }
 };
 

@@ -1,9 +1,12 @@
 #include "pbrt/spectra/spectrum_file.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 
+#include "pbrt/spectra/sampled_spectrum.h"
 #include "pbrt/util/diagnostics.h"
 #include "pbrt/util/read_file.h"
 
@@ -30,7 +33,7 @@ struct Reader {
     }
     void Take(std::string_view word, int line) {
         const std::optional<float> number = ParseFinite(word);
-        if (!number) return Fail(line, "\"" + Shortened(word) + "\" is not a number");
+        if (!number) return Fail(line, fmt::format("\"{}\" is not a number", Shortened(word)));
         if (points.lambda.size() > points.values.size()) {
             points.values.push_back(*number);
         } else if (!points.lambda.empty() && *number <= points.lambda.back()) {
@@ -58,7 +61,28 @@ struct Reader {
     }
 };
 
+/// Why these say nothing about visible light; empty where they do.
+std::string Invisible(const std::vector<float> &lambda) {
+    if (lambda.front() <= LambdaMax && lambda.back() >= LambdaMin) return {};
+    constexpr float kMostMicrometres = 100;
+    return fmt::format("covers {} to {} nm, nothing of {} to {}{}", lambda.front(), lambda.back(),
+                       LambdaMin, LambdaMax,
+                       lambda.back() < kMostMicrometres ? "; are these micrometres?" : "");
+}
+
 }  // namespace
+
+SpectrumPoints HoldingEnds(SpectrumPoints points) {
+    if (points.lambda.front() > LambdaMin) {
+        points.lambda.insert(points.lambda.begin(), LambdaMin);
+        points.values.insert(points.values.begin(), points.values.front());
+    }
+    if (points.lambda.back() < LambdaMax) {
+        points.lambda.push_back(LambdaMax);
+        points.values.push_back(points.values.back());
+    }
+    return points;
+}
 
 OrError<SpectrumPoints> ReadSpectrumFile(const std::string &fileName) {
     const FileContents file = ReadWholeFile(fileName);
@@ -69,6 +93,8 @@ OrError<SpectrumPoints> ReadSpectrumFile(const std::string &fileName) {
     if (reader.points.lambda.empty()) return {std::nullopt, fileName + ": holds no spectrum"};
     if (reader.points.lambda.size() != reader.points.values.size())
         return {std::nullopt, fileName + ": ends with a wavelength that has no value"};
+    if (const std::string reason = Invisible(reader.points.lambda); !reason.empty())
+        return {std::nullopt, fileName + ": " + reason};
     return {std::move(reader.points), {}};
 }
 

@@ -44,8 +44,9 @@ FloatTexture CreateBoard(TextureBuilder &builder) {
     if (builder.params.GetOneInt("dimension", 2, 2, 3) == 3)
         return FloatTexture(std::make_shared<Cubes>(builder.textureFromRender));
     builder.named.readFootprints = true;
-    return FloatTexture(std::make_shared<Squares>(
-        TextureMapping2D::Create(builder.params, builder.textureFromRender)));
+    const auto mapping = TextureMapping2D::Create(builder.params, builder.textureFromRender);
+    builder.readsUV |= mapping.ReadsUV();
+    return FloatTexture(std::make_shared<Squares>(mapping));
 }
 
 }  // namespace

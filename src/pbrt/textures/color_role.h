@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "pbrt/scene/params.h"
 #include "pbrt/spectra/color.h"
 
 namespace pbrt {

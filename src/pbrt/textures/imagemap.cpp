@@ -53,9 +53,53 @@ struct SpectrumImage : SpectrumNode {
     SpectrumType role;
 };
 
-/// The picture, from those already read where file, decoding and pyramid agree; nullptr after an
-/// error.
-std::shared_ptr<const MIPMap> GetImage(TextureBuilder &builder, bool pyramid) {
+using Images = decltype(NamedTextures::images);
+
+std::string AlphaKey(const std::string &key) {
+    return key + "|A";
+}
+
+/// From those already read; nullopt where none serves.
+std::optional<std::shared_ptr<const MIPMap>> FindImage(const Images &images, const std::string &key,
+                                                       bool wantsFloat) {
+    const auto color = images.find(key);
+    if (color != images.end() && !(wantsFloat && color->second && color->second->LeavesOutAlpha()))
+        return color->second;
+    const auto alpha = images.find(AlphaKey(key));
+    if (wantsFloat && alpha != images.end()) return alpha->second;
+    return std::nullopt;
+}
+
+/// Adds the file's colour, or the alpha that floats are read from; nullptr after an error.
+std::shared_ptr<const MIPMap> AddImage(ParamDict &params, const std::string &file,
+                                       const std::optional<ColorEncoding> &encoding,
+                                       bool wantsFloat, const std::string &key, Images &images) {
+    const OrError<Image> read = ReadImage(file, encoding);
+    if (!read) {
+        params.Error("filename", read.error);
+        return images[key] = nullptr;
+    }
+    const Image &image = *read.value;
+    if (!image.metadata.unread.empty())
+        params.WarningOnce("filename", fmt::format("{}: {}", file, image.metadata.unread));
+    if (const auto why = WhyTooLarge(MIPMap::BytesToCreate(image))) {
+        params.Error("filename", fmt::format("\"{}\" as a texture {}", file, *why));
+        return images[key] = nullptr;
+    }
+    if (wantsFloat && MIPMap::HasAlpha(image))
+        return images[AlphaKey(key)] = MIPMap::CreateOfAlpha(image);
+    const std::shared_ptr<const MIPMap> map =
+        MIPMap::Create(image, encoding.value_or(ColorEncoding{ColorEncoding::Kind::sRGB, 1}));
+    if (!map)
+        params.Error("filename",
+                     fmt::format("\"{}\" has no channels R, G, B nor Y to make a texture of; it "
+                                 "has {}",
+                                 file, fmt::join(image.ChannelNames(), ", ")));
+    return images[key] = map;
+}
+
+/// The picture, or what floats are read from; nullptr after an error.
+std::shared_ptr<const MIPMap> GetImage(TextureBuilder &builder, bool wantsFloat) {
     ParamDict &params = builder.params;
     const std::string file = params.GetFileName("filename");
     const std::optional<ColorEncoding> encoding = GetEncoding(params);
@@ -64,33 +108,14 @@ std::shared_ptr<const MIPMap> GetImage(TextureBuilder &builder, bool pyramid) {
                                              params.What()));
         return nullptr;
     }
-    const std::string key =
-        fmt::format("{}|{}|{}", file,
-                    encoding ? fmt::format("{} {}", int(encoding->kind), encoding->gamma) : "",
-                    pyramid ? "pyramid" : "");
-    if (const auto known = builder.named.images.find(key); known != builder.named.images.end())
-        return known->second;
-
-    const OrError<Image> read = ReadImage(file, encoding);
-    std::shared_ptr<const MIPMap> map;
-    if (!read) {
-        params.Error("filename", read.error);
-    } else if (const auto why = WhyTooLarge(MIPMap::BytesToCreate(*read.value))) {
-        params.Error("filename", fmt::format("\"{}\" as a texture {}", file, *why));
-    } else {
-        map = MIPMap::Create(
-            *read.value, encoding.value_or(ColorEncoding{ColorEncoding::Kind::sRGB, 1}), pyramid);
-        if (!map)
-            params.Error(
-                "filename",
-                fmt::format("\"{}\" has no channels R, G, B nor Y to make a texture of; it "
-                            "has {}",
-                            file, fmt::join(read.value->ChannelNames(), ", ")));
-    }
-    return builder.named.images[key] = map;
+    const std::string key = fmt::format(
+        "{}|{}", file, encoding ? fmt::format("{} {}", int(encoding->kind), encoding->gamma) : "");
+    Images &images = builder.named.images;
+    if (const auto known = FindImage(images, key, wantsFloat)) return *known;
+    return AddImage(params, file, encoding, wantsFloat, key, images);
 }
 
-std::optional<ImageLookup> CreateLookup(TextureBuilder &builder) {
+std::optional<ImageLookup> CreateLookup(TextureBuilder &builder, bool wantsFloat) {
     static constexpr std::array<std::string_view, 5> kFilters{"point", "bilinear", "trilinear",
                                                               "ewa", "EWA"};
     static constexpr std::array<std::string_view, 3> kWraps{"repeat", "black", "clamp"};
@@ -99,28 +124,29 @@ std::optional<ImageLookup> CreateLookup(TextureBuilder &builder) {
     ParamDict &params = builder.params;
     ImageLookup lookup;
     lookup.mapping = TextureMapping2D::Create(params, builder.textureFromRender);
+    builder.readsUV |= lookup.mapping.ReadsUV();
     const int filter = params.GetOneChoice("filter", kFilters[1], kFilters);
     lookup.sampling.filter = TextureFilter(std::min(filter, int(TextureFilter::EWA)));
-    builder.named.readFootprints |= lookup.sampling.NeedsPyramid();
     lookup.sampling.wrap = WrapMode(params.GetOneChoice("wrap", kWraps[0], kWraps));
     lookup.sampling.maxAnisotropy = params.GetOneFloat(kAnisotropy);
     lookup.scale = params.GetOneFloat("scale", 1);
     lookup.invert = params.GetOneBool("invert", false);
-    lookup.image = GetImage(builder, lookup.sampling.NeedsPyramid());
+    lookup.image = GetImage(builder, wantsFloat);
     if (!lookup.image) return std::nullopt;
+    builder.named.readFootprints |= lookup.image->NLevels() > 1;
     return lookup;
 }
 
 }  // namespace
 
 FloatTexture ImageTexture::CreateFloat(TextureBuilder &builder) {
-    const std::optional<ImageLookup> lookup = CreateLookup(builder);
+    const std::optional<ImageLookup> lookup = CreateLookup(builder, true);
     if (!lookup) return 1.f;
     return FloatTexture(std::make_shared<FloatImage>(*lookup));
 }
 
 SpectrumByRole ImageTexture::CreateSpectrum(TextureBuilder &builder) {
-    const std::optional<ImageLookup> lookup = CreateLookup(builder);
+    const std::optional<ImageLookup> lookup = CreateLookup(builder, false);
     SpectrumByRole made;
     for (SpectrumType role : kSpectrumRoles) {
         if (lookup)

@@ -1,5 +1,8 @@
 #include "pbrt/textures/mipmap.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "pbrt/textures/image_color_space.h"
 
 namespace pbrt {
@@ -42,13 +45,37 @@ std::vector<int> ColorChannels(const Image &image) {
     return {};
 }
 
+/// Twice the largest component, as pbrt-v4 measures footprints.
+float Width(const Footprint &f) {
+    return 2 * std::max({std::abs(f.dsdx), std::abs(f.dtdx), std::abs(f.dsdy), std::abs(f.dtdy)});
+}
+
 }  // namespace
 
-std::shared_ptr<const MIPMap> MIPMap::Create(const Image &image, const ColorEncoding &encoding,
-                                             bool pyramid) {
+std::shared_ptr<const MIPMap> MIPMap::Create(const Image &image, const ColorEncoding &encoding) {
     const std::vector<int> channels = ColorChannels(image);
     const Point2i res = image.Resolution();
     if (channels.empty() || res.x < 1 || res.y < 1) return nullptr;
+    std::shared_ptr<MIPMap> map = Of(image, channels, encoding);
+    map->leavesOutAlpha = HasAlpha(image);
+    return map;
+}
+
+bool MIPMap::HasAlpha(const Image &image) {
+    const int a = image.ChannelIndex("A");
+    if (a < 0 || ColorChannels(image).size() != 3) return false;
+    for (size_t i = size_t(a); i < image.Data().size(); i += size_t(image.NChannels()))
+        if (image.Data()[i] != 1) return true;
+    return false;
+}
+
+std::shared_ptr<const MIPMap> MIPMap::CreateOfAlpha(const Image &image) {
+    return Of(image, {image.ChannelIndex("A")}, ColorEncoding{});
+}
+
+std::shared_ptr<MIPMap> MIPMap::Of(const Image &image, const std::vector<int> &channels,
+                                   const ColorEncoding &encoding) {
+    const Point2i res = image.Resolution();
     std::vector<float> values;
     values.reserve(size_t(res.x) * size_t(res.y) * channels.size());
     for (int y = 0; y < res.y; ++y)
@@ -60,7 +87,7 @@ std::shared_ptr<const MIPMap> MIPMap::Create(const Image &image, const ColorEnco
     map->colorSpace = &ColorSpaceOf(image);
     map->levels.emplace_back(res, int(channels.size()), std::move(values));
     if (image.metadata.storedAs == "8-bit") map->levels[0].Compress(encoding);
-    while (pyramid && map->levels.back().Resolution() != Point2i{1, 1})
+    while (map->levels.back().Resolution() != Point2i{1, 1})
         map->levels.push_back(map->levels.back().HalfSize());
     return map;
 }
@@ -86,11 +113,18 @@ T MIPMap::Texel(int level, int x, int y, WrapMode wrap) const {
 }
 
 template <typename T>
-T MIPMap::Nearest(Point2f st, WrapMode wrap) const {
-    const Point2i res = levels[0].Resolution();
+T MIPMap::Nearest(int level, Point2f st, WrapMode wrap) const {
+    const Point2i res = levels[size_t(level)].Resolution();
     st = Tame(st, wrap);
-    return Texel<T>(0, int(std::floor(st.x * float(res.x))), int(std::floor(st.y * float(res.y))),
-                    wrap);
+    return Texel<T>(level, int(std::floor(st.x * float(res.x))),
+                    int(std::floor(st.y * float(res.y))), wrap);
+}
+
+int MIPMap::LevelFor(const Footprint &f) const {
+    constexpr float kBelowAllLevels = 0x1p-31f;
+    const float width = std::min(Width(f), 1.f);
+    if (!(width > kBelowAllLevels)) return 0;
+    return std::max(0, NLevels() - 1 + std::ilogb(width));
 }
 
 template <typename T>
@@ -109,13 +143,9 @@ T MIPMap::Bilinear(int level, Point2f st, WrapMode wrap) const {
 
 template <typename T>
 T MIPMap::Trilinear(Point2f st, const Footprint &f, WrapMode wrap) const {
-    const Point2i res = levels[0].Resolution();
-    const float w = float(res.x), h = float(res.y);
-    const float width2 =
-        std::max(Sqr(f.dsdx * w) + Sqr(f.dtdx * h), Sqr(f.dsdy * w) + Sqr(f.dtdy * h));
-    if (!(width2 > 1)) return Bilinear<T>(0, st, wrap);
-    const float lod = 0.5f * std::log2(width2);
     const int last = NLevels() - 1;
+    const float lod = float(last) + std::log2(Width(f));
+    if (!(lod > 0)) return Bilinear<T>(0, st, wrap);
     if (lod >= float(last)) return Bilinear<T>(last, st, wrap);
     const int level = int(lod);
     const float part = lod - float(level);
@@ -190,9 +220,9 @@ template <typename T>
 T MIPMap::Lookup(Point2f st, const Footprint &footprint, const TextureSampling &sampling) const {
     switch (sampling.filter) {
         case TextureFilter::Point:
-            return Nearest<T>(st, sampling.wrap);
+            return Nearest<T>(LevelFor(footprint), st, sampling.wrap);
         case TextureFilter::Bilinear:
-            return Bilinear<T>(0, st, sampling.wrap);
+            return Bilinear<T>(LevelFor(footprint), st, sampling.wrap);
         case TextureFilter::Trilinear:
             return Trilinear<T>(st, footprint, sampling.wrap);
         case TextureFilter::EWA:

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "pbrt/textures/texture_builder.h"
 
 namespace pbrt {
@@ -54,6 +56,12 @@ std::optional<Texture> FindNamed(ParamDict &params, const NamedTextures &named,
 }
 
 }  // namespace
+
+bool NamedTextures::AnyReadsUV(const ParsedParameters &params) const {
+    return std::any_of(params.begin(), params.end(), [&](const ParsedParameter &p) {
+        return p.type == "texture" && !p.strings.empty() && readUV.contains(p.strings[0]);
+    });
+}
 
 FloatTexture GetFloatTexture(ParamDict &params, const NamedTextures &named, const NumberRow &row) {
     std::optional<FloatTexture> texture =

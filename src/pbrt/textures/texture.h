@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "pbrt/scene/description.h"
@@ -91,8 +92,11 @@ struct NamedTextures {
     std::map<std::string, SpectrumTexture> albedos, unboundeds, illuminants;
     std::map<std::string, std::shared_ptr<const MIPMap>> images;  ///< by file name and decoding
     std::map<std::string, std::shared_ptr<const PtexTexture>> faceFiles;  ///< by file name
-    bool readFootprints = false;  ///< some texture reads the steps per pixel of its context
+    std::set<std::string> readUV;  ///< names of those that look at the surface's uv
+    bool readFootprints = false;   ///< some texture reads the steps per pixel of its context
 
+    /// Whether a parameter names a texture that looks at the surface's uv.
+    bool AnyReadsUV(const ParsedParameters &params) const;
     const std::map<std::string, SpectrumTexture> &Spectra(SpectrumType role) const {
         return role == SpectrumType::Albedo      ? albedos
                : role == SpectrumType::Unbounded ? unboundeds

@@ -20,6 +20,7 @@ struct TextureBuilder {
     ParamDict &params;
     NamedTextures &named;
     Transform textureFromRender;
+    bool readsUV = false;  ///< set where the texture looks at the surface's uv
 
     FloatTexture Float(std::string_view name, float def) {
         return GetFloatTexture(params, named, name, def);

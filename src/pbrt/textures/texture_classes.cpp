@@ -102,6 +102,7 @@ NamedTextures BuildTextures(const Description &scene, const Transform &renderFro
             if (textureClass) byRole = textureClass->createSpectrum(builder);
             AddSpectra(named, entity.name, byRole);
         }
+        if (builder.readsUV || named.AnyReadsUV(entity.params)) named.readUV.insert(entity.name);
         if (textureClass) params.ReportUnused();
     }
     return named;

@@ -60,6 +60,7 @@ NormalizedArgs NormalizeArgs(std::span<const std::string> args,
         });
         if (option == options.end()) {
             normalized.error = UnknownOption(spelled, name, options);
+            normalized.unknown = name;
             return normalized;
         }
         std::string value;

@@ -17,7 +17,8 @@ struct ArgOption {
 /// spells it, the rest as it was.
 struct NormalizedArgs {
     std::vector<std::string> args;
-    std::string error;  ///< empty: none; else a sentence for the user
+    std::string error;    ///< empty: none; else a sentence for the user
+    std::string unknown;  ///< the unknown option that it is about: lower case, without - and _
 };
 
 /// Whether an option spelled so, dashes included, is the one of this name.

@@ -6,6 +6,8 @@
 #include <cctype>
 #include <numeric>
 
+#include "pbrt/util/upstream.h"
+
 namespace pbrt {
 
 std::string Shortened(std::string_view text, size_t most) {
@@ -25,6 +27,10 @@ void Diagnostics::Error(const FileLoc &loc, std::string_view message) {
 
 void Diagnostics::Warning(const FileLoc &loc, std::string_view message) {
     Add(Severity::Warning, loc, message);
+}
+
+void Diagnostics::WarningOnce(const FileLoc &loc, std::string_view message) {
+    if (warnedOnce.emplace(message).second) Warning(loc, message);
 }
 
 void Diagnostics::Add(Severity severity, const FileLoc &loc, std::string_view message) {
@@ -89,7 +95,8 @@ std::string DidYouMean(std::string_view name, std::span<const std::string_view> 
 
 std::string UnknownName(std::string_view kind, std::string_view name,
                         std::span<const std::string_view> known) {
-    const std::string hint = DidYouMean(name, known);
+    const std::string upstream = PbrtHasIt(kind, name);
+    const std::string hint = upstream.empty() ? DidYouMean(name, known) : upstream + '.';
     return fmt::format("unknown {} \"{}\"{} Known: {}", kind, Shortened(name),
                        hint.empty() ? "." : hint, QuotedList(known));
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -32,6 +34,8 @@ class Diagnostics {
     /// Messages of more than some 2000 bytes are shortened.
     void Error(const FileLoc &loc, std::string_view message);
     void Warning(const FileLoc &loc, std::string_view message);
+    /// A warning about what may be met at many places: only the first of the same words is kept.
+    void WarningOnce(const FileLoc &loc, std::string_view message);
     bool HasErrors() const { return errors > 0; }
     int ErrorCount() const { return errors; }
     const std::vector<Message> &Messages() const { return messages; }
@@ -39,6 +43,7 @@ class Diagnostics {
   private:
     void Add(Severity severity, const FileLoc &loc, std::string_view message);
     std::vector<Message> messages;  ///< in order, without immediate repetitions
+    std::set<std::string, std::less<>> warnedOnce;
     int errors = 0;
 };
 

@@ -85,7 +85,8 @@ uint64_t LeftOfGroups() {
     for (std::string line; std::getline(file, line);) {  // "4:memory:/path", "0::/path"
         const size_t first = line.find(':'), second = line.find(':', first + 1);
         if (first == std::string::npos || second == std::string::npos) continue;
-        const std::string controllers = "," + line.substr(first + 1, second - first - 1) + ",";
+        const std::string controllers =
+            fmt::format(",{},", line.substr(first + 1, second - first - 1));
         if (controllers == ",,")
             left = std::min(left, LeftOfGroups(line.substr(second + 1), kVersion2));
         else if (controllers.find(",memory,") != std::string::npos)

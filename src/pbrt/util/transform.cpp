@@ -111,9 +111,9 @@ Transform Transform::operator*(const Transform &b) const {
 }
 
 bool Transform::SwapsHandedness() const {
-    const Vector3f x{m[0][0], m[1][0], m[2][0]}, y{m[0][1], m[1][1], m[2][1]},
-        z{m[0][2], m[1][2], m[2][2]};
-    return Dot(Cross(x, y), z) < 0;
+    // In double, for a scale of 1e-16 is cubed.
+    const auto column = [&](int i) { return Vec3<double>{m[0][i], m[1][i], m[2][i]}; };
+    return Dot(Cross(column(0), column(1)), column(2)) < 0;
 }
 
 Bounds3f Transform::Bounds(const Bounds3f &b) const {

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace pbrt::cli {
+
+/// What --help prints of a program or command: usage, description, arguments, options, footer. The
+/// same for every version of CLI11.
+std::string Help(const CLI::App &app);
+
+}  // namespace pbrt::cli

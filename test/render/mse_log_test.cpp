@@ -1,0 +1,99 @@
+// Pictures rendered in waves, and their error as it falls.
+
+#include "pbrt/cpu/mse_log.h"
+
+#include <sstream>
+
+#include "pbrt/imgtool/metric.h"
+#include "pbrt/util/atomic_file.h"
+#include "render/render_text.h"
+#include "support/temp_folder.h"
+
+namespace pbrt::test {
+namespace {
+
+constexpr char kScene[] =
+    "Film \"rgb\" \"integer xresolution\" 32 \"integer yresolution\" 32 \"string filename\" "
+    "\"out.exr\"\nSampler \"independent\" \"integer pixelsamples\" 72\nIntegrator \"path\" "
+    "\"integer maxdepth\" 1\nWorldBegin\nLightSource \"point\" \"point3 from\" [ 0 0 0 ]\n"
+    "Material \"diffuse\"\nShape \"bilinearmesh\" \"point3 P\" [ -9 -9 3  9 -9 3  -9 9 3  9 9 3 ]\n"
+    "LightSource \"infinite\"\n";
+
+std::unique_ptr<World> Build(const std::string &text, Diagnostics &log) {
+    Description scene;
+    ParseString(text, "test.pbrt", ".", scene, log);
+    return BuildWorld(scene, {}, log);
+}
+
+bool GoOn(int64_t, int64_t) {
+    return true;
+}
+
+class Waves : public TempFolder {};
+
+TEST_F(Waves, EndInThePictureThatIsRenderedAtOnce) {
+    Diagnostics log;
+    const auto world = Build(kScene, log);
+    std::vector<int> counts;
+    std::vector<float> means;
+    ASSERT_TRUE(Render(*world, 2, GoOn, [&](int samples) {
+        counts.push_back(samples);
+        means.push_back(float(Mean(world->film.ToImage())[1]));
+    }));
+    EXPECT_EQ(counts, (std::vector<int>{1, 2, 4, 8, 16, 32, 64, 72}));
+    const Image once = RenderText(kScene), waves = world->film.ToImage();
+    // The same samples; other packets round a vertex's some hundred operations otherwise.
+    for (size_t i = 0; i < once.Data().size(); ++i)
+        EXPECT_NEAR(waves.Data()[i], once.Data()[i], 256 * 0x1p-24 * once.Data()[i]);
+    for (const float mean : means)
+        EXPECT_GT(mean, 0);
+}
+
+TEST_F(Waves, TheErrorIsImgtoolsAndFallsAsOneOverTheSamples) {
+    Diagnostics log;
+    const auto world = Build(kScene, log);
+    ASSERT_TRUE(Render(*world, 0, GoOn));
+    const Image other = RenderText(kScene, {.seed = 1, .spp = 1024});
+    ASSERT_EQ(WriteImage(other, Path("reference.exr"), ExrPixels::Float), std::nullopt);
+    world->options.mseReferenceImage = Path("reference.exr");
+    world->options.mseReferenceOut = Path("mse.txt");
+    auto mse = MseLog::Create(world->options, world->film, log);
+    ASSERT_TRUE(mse);
+    std::vector<double> errors;
+    ASSERT_TRUE(Render(*world, 0, GoOn, [&](int samples) {
+        mse->Add(world->film, samples);
+        errors.push_back(mse->Error());
+        EXPECT_DOUBLE_EQ(mse->Error(), imgtool::MeanError(*imgtool::MetricNamed("MSE"),
+                                                          world->film.ToImage(), other));
+    }));
+    // Means of 1024 pixels' squares, with heavier tails than the normal's: some 10 % each.
+    EXPECT_NEAR(errors[2] / errors[6], 16, 6);
+    std::istringstream lines(*ReadWholeFile(Path("mse.txt")).bytes);
+    std::string line;
+    int n = 0;
+    for (; std::getline(lines, line); ++n)
+        EXPECT_NEAR(std::stod(line.substr(line.find(',') + 1)), errors[size_t(n)],
+                    1e-8 * errors[size_t(n)]);
+    EXPECT_EQ(n, 8);
+}
+
+TEST_F(Waves, ReferencesThatDoNotFitAreRefused) {
+    const auto says = [&](const Image &reference, const std::string &what) {
+        Diagnostics log;
+        const auto world = Build(kScene, log);
+        ASSERT_EQ(WriteImage(reference, Path("reference.exr"), ExrPixels::Float), std::nullopt);
+        world->options.mseReferenceImage = Path("reference.exr");
+        world->options.mseReferenceOut = Path("mse.txt");
+        EXPECT_FALSE(MseLog::Create(world->options, world->film, log));
+        ASSERT_EQ(log.Messages().size(), 1u);
+        EXPECT_NE(log.Messages()[0].text.find(what), std::string::npos) << log.Messages()[0].text;
+    };
+    says(Image({32, 31}, {"R", "G", "B"}), "has the pixels [0, 32) x [0, 31), not all of");
+    says(Image({32, 32}, {"Y"}), "has no channel R");
+    Image wide({32, 32}, {"R", "G", "B"});
+    wide.metadata.chromaticities = RGBColorSpace::Named("rec2020")->Chromaticities();
+    says(wide, "has another color space than the film");
+}
+
+}  // namespace
+}  // namespace pbrt::test
