@@ -73,7 +73,7 @@ TEST_F(BsdfTool, MaterialsComeFromSceneFilesToo) {
 TEST_F(BsdfTool, ATextMayBeLongerThanAnyFileName) {
     std::string text = "Material \"featherbarbule\" \"spectrum melanin\" [";
     for (int lambda = 380; lambda <= 770; lambda += 10)
-        text += " " + std::to_string(lambda) + " .01";
+        text += std::to_string(lambda) + " .01 ";
     ASSERT_GT(text.size(), 255u);
     EXPECT_NE(Succeed({"spectrum", text + " ]", "--thetas", "0", "--samples", "16"}), "");
     // Beyond what a path may have, too, and without a blank.

@@ -30,8 +30,9 @@ class GermanPrograms : public TempFolder {
         const std::string again = "cd " + name + " && " + environment + " '" + programs;
         EXPECT_TRUE(Do(again + "imgtool' convert a.pfm --exposure 1.5 --outfile b.pfm"));
         EXPECT_TRUE(Do(again + "imgtool' info b.pfm > info.txt"));
-        EXPECT_TRUE(Do(again + "feathergen' feather --print-preset rock-dove-neck > p.json"));
-        EXPECT_TRUE(Do(again + "feathergen' feather --params p.json --barbs 20 --out f"));
+        EXPECT_TRUE(Do(again + "feathergen' --print-preset > p.json"));
+        EXPECT_TRUE(Do(
+            again + "feathergen' --params p.json --set barb_count=4 --set aspect=0.375 --out f"));
         EXPECT_TRUE(Do(again + "bsdftool' spectrum ../a.pbrt --csv s.csv > s.txt"));
         std::string all;
         std::vector<fs::path> files;

@@ -51,10 +51,10 @@ TEST_F(Files, SparseFilesAreRefusedBeforeMemoryIsTaken) {
     for (const std::string &use : Uses("sparse")) {
         if (use.find("plymesh") != std::string::npos) continue;  // read piece by piece
         PutScene(use);
-        EXPECT_TRUE(Refused(Render({3 * kGB}), "of memory")) << use;
+        EXPECT_TRUE(Refused(Render({.addressSpace = 3 * kGB}), "of memory")) << use;
     }
     PutScene("Shape \"plymesh\" \"string filename\" \"sparse\"");
-    EXPECT_TRUE(Refused(Render({3 * kGB}), "is no PLY file"));
+    EXPECT_TRUE(Refused(Render({.addressSpace = 3 * kGB}), "is no PLY file"));
 }
 
 TEST_F(Files, DevicesAndPipesAreNoFilesOfAScene) {
@@ -71,7 +71,7 @@ TEST_F(Files, DevicesAndPipesAreNoFilesOfAScene) {
 TEST_F(Files, ToolsRefuseThemToo) {
     const std::string feather = "Material \"featherbarbule\"";
     for (const std::string file : {"/dev/zero", "sparse"}) {
-        const Limits limits{kSanitized ? 0 : 3 * kGB};
+        const Limits limits{.addressSpace = kSanitized ? 0 : 3 * kGB};
         EXPECT_TRUE(Refused(Run("imgtool", {"info", file}, limits)));
         EXPECT_TRUE(Refused(Run("bsdftool", {"eval", feather, "--directions", file}, limits)));
         EXPECT_TRUE(Refused(Run("bsdftool", {"spectrum", file}, limits)));
@@ -99,11 +99,11 @@ TEST_F(Files, PicturesThatUnpackBeyondMemoryAreRefused) {
     std::filesystem::copy_file(SourceDir() + "/test/faults/bomb.png", Path("bomb.png"));
     const std::string texture =
         "Texture \"t\" \"spectrum\" \"imagemap\" \"string filename\" \"bomb.png\"";
-    for (const uint64_t tenths : {6, 10, 14, 20}) {
+    for (const uint64_t tenths : {6, 20}) {
         PutScene(texture);
-        EXPECT_TRUE(Refused(Render({kGB * tenths / 10}), "of memory")) << tenths;
+        EXPECT_TRUE(Refused(Render({.addressSpace = kGB * tenths / 10}), "of memory")) << tenths;
     }
-    EXPECT_TRUE(Refused(Run("imgtool", {"info", "bomb.png"}, {kGB}), "of memory"));
+    EXPECT_TRUE(Refused(Run("imgtool", {"info", "bomb.png"}, {.addressSpace = kGB}), "of memory"));
 }
 
 TEST_F(Files, IncludesThatDoubleAreCountedAndEnd) {
@@ -117,7 +117,7 @@ TEST_F(Files, IncludesThatDoubleAreCountedAndEnd) {
 }
 
 TEST_F(Files, IncludesThatNestWithoutEndAreRefused) {
-    for (int i = 0; i < 5000; ++i)
+    for (int i = 0; i < 300; ++i)
         Put(fmt::format("{}.pbrt", i), fmt::format("Include \"{}.pbrt\"\n", i + 1));
     PutScene("Include \"0.pbrt\"");
     EXPECT_TRUE(Refused(Render(), "more than 200 deep"));

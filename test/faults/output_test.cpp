@@ -62,7 +62,7 @@ TEST_F(Output, NamesMayHave255Bytes) {
 TEST_F(Output, AFileTooLargeIsAnErrorAndThePictureIsKeptElsewhere) {
     Put("out.pfm", "old");
     // The disk that the picture belongs to takes 100 bytes of its 3084; so does the other place.
-    const Outcome outcome = Render({0, 0, {}, 100});
+    const Outcome outcome = Render({.fileSize = 100});
     EXPECT_TRUE(Refused(outcome, "out.pfm: cannot be written: File too large"));
     EXPECT_TRUE(Refused(outcome, "neither could it be kept in"));
     EXPECT_EQ(Get("out.pfm"), "old");

@@ -45,7 +45,7 @@ class Locale : public TempFolder {
         Put("m.ply",
             "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\n"
             "property double z\nelement face 1\nproperty list uchar int vertex_indices\n"
-            "end_header\n-1.5 -1.5 1.5e-310\n1.5 -1.5 0\n1.5 1.5 0\n-1.5 1.5e0 0.0\n4 0 1 2 3\n");
+            "end_header\n-1.5 -1.5 1.5e-400\n1.5 -1.5 0\n1.5 1.5 0\n-1.5 1.5e0 0.0\n4 0 1 2 3\n");
         const Image image = RenderText(
             "LookAt 0 0 2.5  0 0 0  0 1 0\nFilm \"rgb\" \"integer xresolution\" 1234 \"integer "
             "yresolution\" 2\nSampler \"independent\" \"integer pixelsamples\" 1\n"

@@ -183,6 +183,15 @@ TEST_F(Ply, AsciiSpellings) {
     EXPECT_EQ(read->triangles, (std::vector<uint32_t>{0, 1, 2}));
 }
 
+TEST_F(Ply, AsciiNumbersTooSmallForDoubleAreZero) {
+    const std::optional<PlyMesh> mesh = Read(
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\n"
+        "property double z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+        "1.5e-400 -1.5e-400 1\n1 0 0\n0 1 0\n3 0 1 2\n");
+    ASSERT_TRUE(mesh) << problem;
+    EXPECT_EQ(mesh->p[0], (Point3f{0, 0, 1}));
+}
+
 TEST_F(Ply, OtherPolygonsAreCountedAndLeftOut) {
     const auto read = Read(
         "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"

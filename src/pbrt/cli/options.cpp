@@ -25,7 +25,8 @@ std::string InSigns(const Domain &d) {
 }
 
 void Refuse(const std::string &option, const std::string &wanted, const std::string &text) {
-    throw CLI::ValidationError(option, fmt::format("expected {}, found {}", wanted, text));
+    throw CLI::ValidationError(option,
+                               fmt::format("expected {}, found {}", wanted, Shortened(text)));
 }
 
 std::vector<std::string> SplitList(const std::string &text) {
