@@ -10,6 +10,7 @@ namespace {
 class FaultsOfBudget : public Faults {};
 
 TEST_F(FaultsOfBudget, Film) {
+    SKIP_WHERE_SANITIZED();
     const std::string rest = " \"integer yresolution\" 65536\nWorldBegin\n";
     for (const char *film : {"\"rgb\"", "\"gbuffer\"", "\"spectral\" \"integer nbuckets\" 4096"}) {
         Put("scene.pbrt", std::string("Film ") + film + " \"integer xresolution\" 65536" + rest);
@@ -50,6 +51,7 @@ TEST_F(FaultsOfBudget, ObjectsInEachOther) {
 
 /// Thirty objects, each made of two of the one before: 2^30 instances, or of none.
 TEST_F(FaultsOfBudget, NestedInstances) {
+    SKIP_WHERE_SANITIZED();
     const auto scene = [](const std::string &innermost) {
         std::string text = "ObjectBegin \"o0\" " + innermost + " ObjectEnd\n";
         for (int i = 1; i <= 30; ++i) {

@@ -3,12 +3,34 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <new>
 #include <numbers>
+#include <stdexcept>
 
 namespace pbrt::bsdftool {
+namespace {
+
+/// cairo goes on after a failure, drawing nothing.
+void Check(cairo_status_t status) {
+    if (status == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc();
+    if (status != CAIRO_STATUS_SUCCESS) throw std::runtime_error(cairo_status_to_string(status));
+}
+
+cairo_status_t Append(void *to, const unsigned char *data, unsigned int length) {
+    try {
+        static_cast<std::string *>(to)->append(reinterpret_cast<const char *>(data), length);
+        return CAIRO_STATUS_SUCCESS;
+    } catch (const std::bad_alloc &) {  // which must not pass through C
+        return CAIRO_STATUS_NO_MEMORY;
+    }
+}
+
+}  // namespace
 
 Canvas::Surface Canvas::MakeSurface(int width, int height) {
-    return Surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height));
+    Surface made(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height));
+    Check(cairo_surface_status(made.get()));
+    return made;
 }
 
 Canvas::Canvas(int width, int height)
@@ -107,14 +129,9 @@ void Canvas::Disc(Place corner, const Image &image, float exposure) {
 }
 
 std::string Canvas::Png() const {
+    Check(cairo_status(context.get()));
     std::string bytes;
-    cairo_surface_write_to_png_stream(
-        surface.get(),
-        [](void *to, const unsigned char *data, unsigned int length) {
-            static_cast<std::string *>(to)->append(reinterpret_cast<const char *>(data), length);
-            return CAIRO_STATUS_SUCCESS;
-        },
-        &bytes);
+    Check(cairo_surface_write_to_png_stream(surface.get(), Append, &bytes));
     return bytes;
 }
 

@@ -22,7 +22,8 @@ struct Place {
 
 enum class Align { Left, Center, Right };
 
-/// A white sheet to draw on, by cairo.
+/// A white sheet to draw on, by cairo. What cairo fails at, mostly for want of memory, is thrown
+/// when the sheet is made or taken, as std::bad_alloc or std::runtime_error.
 class Canvas {
   public:
     Canvas(int width, int height);

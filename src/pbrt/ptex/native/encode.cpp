@@ -2,6 +2,7 @@
 
 #include <zlib.h>
 
+#include <new>
 #include <numeric>
 #include <type_traits>
 
@@ -110,8 +111,10 @@ std::vector<PtexLevel> Encode(const PtexTexels &texels, bool reductions) {
 std::string Zip(const void *data, size_t size) {
     uLongf zipped = compressBound(uLong(size));
     std::string out(zipped, '\0');
-    compress(reinterpret_cast<Bytef *>(out.data()), &zipped, static_cast<const Bytef *>(data),
-             uLong(size));
+    // With room for the worst case it fails for want of memory only.
+    if (compress(reinterpret_cast<Bytef *>(out.data()), &zipped, static_cast<const Bytef *>(data),
+                 uLong(size)) != Z_OK)
+        throw std::bad_alloc();
     out.resize(zipped);
     return out;
 }
