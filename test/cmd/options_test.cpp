@@ -1,5 +1,6 @@
 // Options of all programs, as a user types them: lists before file names, ranges, `Option`.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -86,12 +87,12 @@ TEST_F(ProgramOptions, ListsTakeNothingOfTheFileNamesBehindThem) {
         if (help.substr(0, help.find('\n')).ends_with("[options]")) continue;  // no file names
         std::string others;
         for (std::sregex_iterator i(help.begin(), help.end(), required), end; i != end; ++i)
-            others += " " + (*i)[1].str() + " other";
+            others.append(" ").append((*i)[1].str()).append(" other");
         for (std::sregex_iterator i(help.begin(), help.end(), list), end; i != end; ++i) {
             const std::string value = std::regex_replace((*i)[2].str(), std::regex("[^,]+"), "1");
             for (const char *const between : {" ", "="}) {
-                const Outcome outcome =
-                    Run(command + others + " " + (*i)[1].str() + between + value + " none-such");
+                const Outcome outcome = Run(fmt::format("{}{} {}{}{} none-such", command, others,
+                                                        (*i)[1].str(), between, value));
                 EXPECT_EQ(outcome.exitCode, 1);
                 EXPECT_NE(outcome.said.find("none-such"), std::string::npos)
                     << command << ' ' << i->str() << ": " << outcome.said;
