@@ -225,7 +225,8 @@ TEST_F(ProgramOptions, CompatibilityIsWhatTheProgramsSay) {
 
 /// A mirror before a floor with a picture on it, seen askew: each Option changes something.
 constexpr char kManyThings[] =
-    "LookAt 1 2 -5  0.3 0 0  0 1 0\nFilm \"rgb\" \"integer xresolution\" 16 \"integer "
+    "LookAt 1 2 -5  0.3 0 0  0 1 0 Camera \"perspective\"\nFilm \"rgb\" \"integer xresolution\" 16 "
+    "\"integer "
     "yresolution\" 16 \"string filename\" \"out.exr\" \"bool savefp16\" false\n"
     "Sampler \"independent\" \"integer pixelsamples\" 4\nWorldBegin\n"
     "LightSource \"infinite\"\nTexture \"t\" \"spectrum\" \"imagemap\" \"string filename\" "
