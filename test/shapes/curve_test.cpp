@@ -105,8 +105,9 @@ TEST(Curve, MirroredByItsTransform) {
                                   "\" \"point3 P\" [0 0 0 1 .2 0 2 0 .3 3 0 0]";
         const Shape straight = MakeOne(curve), mirrored = MakeOne("Scale 1 -1 1 " + curve);
         const auto mirror = [](Vector3f v) { return Vector3f{v.x, -v.y, v.z}; };
+        // Within the width: at its edge a cylinder's normal is at right angles to the ray.
         for (float y : {-0.1f, 0.f, 0.2f}) {
-            const Ray ray{{0.5f, y, -2}, {0.1f, 0.2f, 1}};
+            const Ray ray{{0.5f, y, -2}, {0.1f, 0.05f, 1}};
             const SurfacePoint a = Interact(straight, HitAt(2, 0.4f, 0), ray);
             const SurfacePoint b =
                 Interact(mirrored, HitAt(2, 0.4f, 0), Ray{mirror(ray.o), mirror(ray.d)});
