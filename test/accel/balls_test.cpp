@@ -39,6 +39,11 @@ TEST(Balls, AreWhatTheirTransformLeavesRound) {
     EXPECT_FALSE(isBall(*Transform::Scale({1, 1, 1.0001f})));
     EXPECT_FALSE(isBall(*Transform::Scale({2, 1, 1})));
     EXPECT_FALSE(isBall(*Transform::Rotate(45, {0, 0, 1})));
+    EXPECT_TRUE(isBall(*Transform::Rotate(90, {0, 0, 1})));
+    // Skewed by less than half an ulp of the scale: far along the ground that is more than the
+    // offset of a spawned ray.
+    EXPECT_FALSE(isBall(
+        *Transform::FromMatrix({{{1, 5e-9f, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}})));
     Sphere partial;
     partial.zMax = 0.5f;
     EXPECT_FALSE(isBall(Transform(), partial));

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "pbrt/util/atomic_file.h"
+#include "pbrt/util/read_file.h"
 #include "support/folders.h"
 #include "support/temp_folder.h"
 

@@ -1,5 +1,6 @@
 // Options of all programs, as a user types them: lists before file names, ranges, `Option`.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -86,12 +87,12 @@ TEST_F(ProgramOptions, ListsTakeNothingOfTheFileNamesBehindThem) {
         if (help.substr(0, help.find('\n')).ends_with("[options]")) continue;  // no file names
         std::string others;
         for (std::sregex_iterator i(help.begin(), help.end(), required), end; i != end; ++i)
-            others += " " + (*i)[1].str() + " other";
+            others.append(" ").append((*i)[1].str()).append(" other");
         for (std::sregex_iterator i(help.begin(), help.end(), list), end; i != end; ++i) {
             const std::string value = std::regex_replace((*i)[2].str(), std::regex("[^,]+"), "1");
             for (const char *const between : {" ", "="}) {
-                const Outcome outcome =
-                    Run(command + others + " " + (*i)[1].str() + between + value + " none-such");
+                const Outcome outcome = Run(fmt::format("{}{} {}{}{} none-such", command, others,
+                                                        (*i)[1].str(), between, value));
                 EXPECT_EQ(outcome.exitCode, 1);
                 EXPECT_NE(outcome.said.find("none-such"), std::string::npos)
                     << command << ' ' << i->str() << ": " << outcome.said;
@@ -224,7 +225,8 @@ TEST_F(ProgramOptions, CompatibilityIsWhatTheProgramsSay) {
 
 /// A mirror before a floor with a picture on it, seen askew: each Option changes something.
 constexpr char kManyThings[] =
-    "LookAt 1 2 -5  0.3 0 0  0 1 0\nFilm \"rgb\" \"integer xresolution\" 16 \"integer "
+    "LookAt 1 2 -5  0.3 0 0  0 1 0 Camera \"perspective\"\nFilm \"rgb\" \"integer xresolution\" 16 "
+    "\"integer "
     "yresolution\" 16 \"string filename\" \"out.exr\" \"bool savefp16\" false\n"
     "Sampler \"independent\" \"integer pixelsamples\" 4\nWorldBegin\n"
     "LightSource \"infinite\"\nTexture \"t\" \"spectrum\" \"imagemap\" \"string filename\" "

@@ -33,19 +33,29 @@ class Frames : public Grown {
     /// in the way.
     std::optional<Met> Meet(const VanePoint &at, int bankIndex) const {
         const Vector3f n = Rounded(at.Normal());
-        const Point3f p = Rounded(at.p);
-        const Ray ray{p + 0.02f * n, -n, 0.04f};
+        return Meet(*world, {Rounded(at.p) + 0.02f * n, -n, 0.04f}, bankIndex);
+    }
+    std::optional<Met> Meet(const World &in, const Ray &ray, int bankIndex) const {
         Hit hit;
-        if (!world->accel->Intersect(ray, &hit)) return {};
-        const Geometry &geometry = world->geometries[hit.geometry];
+        if (!in.accel->Intersect(ray, &hit)) return {};
+        const Geometry &geometry = in.geometries[hit.geometry];
         const auto *vane =
-            std::get_if<FeatherBarbuleMaterial>(&world->materials[size_t(geometry.material)]);
+            std::get_if<FeatherBarbuleMaterial>(&in.materials[size_t(geometry.material)]);
         if (!vane) return {};
-        Met met{world->Interact(hit, ray), {}};
+        Met met{in.Interact(hit, ray), {}};
         const VaneGrid grid(*feather);
         if (met.sp.faceIndex / (grid.nAlong * grid.nAcross) != bankIndex) return {};
-        met.frame = vane->TurnFrame(met.sp.ShadingFrame(), world->TextureContext(met.sp));
+        met.frame = vane->TurnFrame(met.sp.ShadingFrame(), in.TextureContext(met.sp));
         return met;
+    }
+    /// A random place of the vane, and its bank's number.
+    std::pair<VanePoint, int> Place(Rng &rng) const {
+        const auto index = int(rng.Below(uint32_t(feather->barbs.size())));
+        const double u = 0.02 + 0.96 * double(rng.Uniform());
+        const Bank bank = rng.Below(2) ? Bank::Right : Bank::Left;
+        const double v = (0.05 + 0.9 * double(rng.Uniform())) * (bank == Bank::Left ? 1 : -1);
+        return {feather->barbs[size_t(index)].Surface(feather->parameters, u, v),
+                VaneGrid(*feather).BankIndex(index, bank)};
     }
 
     std::optional<Feather> feather;
@@ -68,13 +78,9 @@ TEST_F(Frames, AlongTheBarbulesAndOutwardOnBothBanks) {
     int met[2] = {0, 0};
     float worstY = 0, worstZ = 0;
     for (int i = 0; i < 20000; ++i) {
-        const auto index = int(rng.Below(uint32_t(feather->barbs.size())));
-        const Barb &barb = feather->barbs[size_t(index)];
-        const double u = 0.02 + 0.96 * double(rng.Uniform());
-        const Bank bank = rng.Below(2) ? Bank::Right : Bank::Left;
-        const double v = (0.05 + 0.9 * double(rng.Uniform())) * (bank == Bank::Left ? 1 : -1);
-        const VanePoint at = barb.Surface(feather->parameters, u, v);
-        const auto found = Meet(at, VaneGrid(*feather).BankIndex(index, bank));
+        const auto [at, bankIndex] = Place(rng);
+        const Bank bank = bankIndex % 2 == 0 ? Bank::Left : Bank::Right;
+        const auto found = Meet(at, bankIndex);
         if (!found) continue;
         const Frame expected = Expected(at, feather->parameters.span, bank);
         EXPECT_LT(Length(found->sp.p - Rounded(at.p)), 5e-3f);
@@ -90,6 +96,29 @@ TEST_F(Frames, AlongTheBarbulesAndOutwardOnBothBanks) {
     // 0.2^2 a unit of u): 0.012 + 0.046. Normals are interpolated: half of that.
     EXPECT_LT(worstY, 0.06f);
     EXPECT_LT(worstZ, 0.03f);
+}
+
+TEST_F(Frames, OfAMirroredFeatherAreMirrored) {
+    Grow({});
+    const auto across = Scene("out/feather.pbrt", "Scale -1 1 1\n");
+    const auto mirror = [](Vector3f v) { return Vector3f{-v.x, v.y, v.z}; };
+    Rng rng(2);
+    int met = 0;
+    for (int i = 0; i < 5000; ++i) {
+        const auto [at, bankIndex] = Place(rng);
+        const Vector3f n = Rounded(at.Normal());
+        const Point3f o = Rounded(at.p) + 0.02f * n;
+        const auto straight = Meet(*world, {o, -n, 0.04f}, bankIndex);
+        const auto mirrored = Meet(*across, {mirror(o), mirror(-n), 0.04f}, bankIndex);
+        ASSERT_EQ(straight.has_value(), mirrored.has_value());
+        if (!straight) continue;
+        ++met;
+        // Some ten roundings in a frame.
+        EXPECT_LT(AngleBetween(mirrored->frame.x, mirror(straight->frame.x)), 1e-5f);
+        EXPECT_LT(AngleBetween(mirrored->frame.y, mirror(straight->frame.y)), 1e-5f);
+        EXPECT_LT(AngleBetween(mirrored->frame.z, mirror(straight->frame.z)), 1e-5f);
+    }
+    EXPECT_GT(met, 1500);
 }
 
 }  // namespace

@@ -25,12 +25,13 @@ class Grown : public TempFolder {
         EXPECT_TRUE(file) << name;
         return {std::istreambuf_iterator<char>(file), {}};
     }
-    /// The scene that includes `name` of the folder, ready to be traced.
-    std::unique_ptr<World> Scene(const std::string &name) const {
+    /// The scene that includes `name` of the folder after `before`, ready to be traced.
+    std::unique_ptr<World> Scene(const std::string &name, const std::string &before = "") const {
         Diagnostics log;
         Description scene;
-        ParseString("WorldBegin\nLightSource \"infinite\"\nInclude \"" + Path(name) + "\"\n",
-                    "test.pbrt", folder.string(), scene, log);
+        ParseString(
+            "WorldBegin\nLightSource \"infinite\"\n" + before + "Include \"" + Path(name) + "\"\n",
+            "test.pbrt", folder.string(), scene, log);
         std::unique_ptr<World> world = BuildWorld(scene, {}, log);
         for (const Message &m : log.Messages())
             ADD_FAILURE() << m.text;

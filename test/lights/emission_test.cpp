@@ -52,7 +52,8 @@ TEST(Emission, ASpectrumWithoutVisibleLightIsAnError) {
 
 TEST(LightErrors, UnknownTypesAndParameters) {
     EXPECT_EQ(LightScene("LightSource \"goniometric\"").Messages(),
-              "l.pbrt:2:1: unknown light \"goniometric\". Known: \"point\", \"spot\", \"distant\" "
+              "l.pbrt:2:1: unknown light \"goniometric\"; pbrt-v4 has it, not built here; use "
+              "\"point\". Known: \"point\", \"spot\", \"distant\" "
               "or \"infinite\"\n");
     EXPECT_EQ(AreaScene("\"difuse\"", Rectangle(1, 1, 0)).Messages(),
               "l.pbrt:2:1: unknown area light \"difuse\"; did you mean \"diffuse\"? Known: "

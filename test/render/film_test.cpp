@@ -164,6 +164,25 @@ TEST(GBufferFilm, HoldsPositionsAndNormals) {
     }
 }
 
+/// Of a camera that is mirrored as well.
+TEST(GBufferFilm, SlopesAreThoseOfNeighbours) {
+    for (const std::string mirror : {"", "Scale -1 1 1\n", "Scale 1 -1 1\n"}) {
+        const Image image =
+            RenderText(mirror + Scene(GBufferFilm("camera"),
+                                      Surroundings("\"spectrum L\" [ 300 1 900 1 ]") +
+                                          "Translate 0 0 2 Rotate 30 1 0 0 Rotate 20 0 1 0\n"
+                                          "Shape \"disk\" \"float radius\" 9\n",
+                                      256));
+        const auto step = [&](Point2i to) {
+            return At(image, "P.Z", to) - At(image, "P.Z", {8, 8});
+        };
+        EXPECT_GT(std::abs(step({8, 9})), 0.05);
+        // Noise as above, of two pixels.
+        EXPECT_NEAR(step({9, 8}), At(image, "dzdx"), 0.015) << mirror;
+        EXPECT_NEAR(step({8, 9}), At(image, "dzdy"), 0.015) << mirror;
+    }
+}
+
 TEST(GBufferFilm, HoldsAlbedoAndVariance) {
     const Image image = RenderText(Scene(GBufferFilm("camera"), Slope(), 256));
     for (int c = 0; c < 3; ++c) {

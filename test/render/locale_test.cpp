@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "pbrt/imgtool/commands.h"
-#include "pbrt/util/atomic_file.h"
+#include "pbrt/util/read_file.h"
 #include "render/render_text.h"
 #include "support/temp_folder.h"
 

@@ -1,6 +1,6 @@
 // Scenes of cases/, each about a picture that is read; what is right stands in their first lines.
 
-#include "pbrt/util/atomic_file.h"
+#include "pbrt/util/read_file.h"
 #include "render/render_text.h"
 #include "support/folders.h"
 

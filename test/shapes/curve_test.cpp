@@ -98,6 +98,47 @@ TEST(Curve, FrameIsRightHandedAndFacesTheRay) {
     }
 }
 
+/// A mirrored curve is met where its mirror image is, v and dpdv going along.
+TEST(Curve, MirroredByItsTransform) {
+    for (const std::string type : {"flat", "cylinder"}) {
+        const std::string curve = "Shape \"curve\" \"float width\" 0.5 \"string type\" \"" + type +
+                                  "\" \"point3 P\" [0 0 0 1 .2 0 2 0 .3 3 0 0]";
+        const Shape straight = MakeOne(curve), mirrored = MakeOne("Scale 1 -1 1 " + curve);
+        const auto mirror = [](Vector3f v) { return Vector3f{v.x, -v.y, v.z}; };
+        // Within the width: at its edge a cylinder's normal is at right angles to the ray.
+        for (float y : {-0.1f, 0.f, 0.2f}) {
+            const Ray ray{{0.5f, y, -2}, {0.1f, 0.05f, 1}};
+            const SurfacePoint a = Interact(straight, HitAt(2, 0.4f, 0), ray);
+            const SurfacePoint b =
+                Interact(mirrored, HitAt(2, 0.4f, 0), Ray{mirror(ray.o), mirror(ray.d)});
+            EXPECT_FLOAT_EQ(a.uv.x, b.uv.x);
+            EXPECT_FLOAT_EQ(a.uv.y, b.uv.y);
+            ExpectNear(b.n, mirror(a.n));
+            ExpectNear(b.dpdu, mirror(a.dpdu));
+            ExpectNear(b.dpdv, mirror(a.dpdv));
+            EXPECT_LT(Dot(b.n, mirror(ray.d)), 0);
+            ExpectNear(b.ShadingFrame().y, mirror(a.ShadingFrame().y));
+        }
+    }
+}
+
+TEST(Curve, MirroredRibbonKeepsItsOutside) {
+    const std::string ribbon =
+        "Shape \"curve\" \"string type\" \"ribbon\" \"float width\" 0.5 "
+        "\"point3 P\" [0 0 0 1 0 0 2 0 0 3 0 0] \"normal N\" [0 .2 2 0 1 0]";
+    const Shape straight = MakeOne(ribbon), mirrored = MakeOne("Scale 1 1 -1 " + ribbon);
+    const auto mirror = [](Vector3f v) { return Vector3f{v.x, v.y, -v.z}; };
+    for (uint32_t i = 0; i < NPrimitives(straight); ++i) {
+        const SurfacePoint a = Interact(straight, HitAt(1, 0.3f, 0.3f, i), Ray{});
+        const SurfacePoint b = Interact(mirrored, HitAt(1, 0.3f, 0.3f, i), Ray{});
+        EXPECT_EQ(a.uv, b.uv);
+        ExpectNear(b.p, mirror(a.p));
+        ExpectNear(b.n, mirror(a.n));
+        ExpectNear(b.ns, mirror(a.ns));
+        ExpectNear(b.dpdv, mirror(a.dpdv));
+    }
+}
+
 TEST(Curve, CylinderNormalTurnsEvenlyFromEdgeToEdge) {
     for (float v : {0.f, 0.2f, 0.5f, 0.9f, 1.f}) {
         const SurfacePoint s = StraightHit(CurveType::Cylinder, 0.25f - 0.5f * v);

@@ -38,7 +38,8 @@ TEST(TextureErrors, OneMistakeIsOneMessage) {
     // The texture that could not be made stands in for its uses.
     EXPECT_EQ(MessagesOf("Texture \"a\" \"spectrum\" \"marble\"\n"
                          "Texture \"b\" \"spectrum\" \"scale\" \"texture tex\" \"a\""),
-              "t.pbrt:2:1: unknown texture class \"marble\". Known: \"checkerboard\", "
+              "t.pbrt:2:1: unknown texture class \"marble\"; pbrt-v4 has it, not built here. "
+              "Known: \"checkerboard\", "
               "\"constant\", \"imagemap\", \"mix\", \"ptex\" or \"scale\"\n");
 }
 

@@ -17,9 +17,9 @@ namespace pbrt {
 /// Light passes through, so the BxDF lives on the whole sphere.
 class HairBxDF {
   public:
-    /// h: where across the fibre it is hit, in [-1, 1]. eta: index of the inside, >= 1. sigma_a:
-    /// absorption per fibre radius, >= 0. beta_m, beta_n: roughness along and around the fibre, in
-    /// [0.01, 1]. alpha: tilt of the scales, degrees.
+    /// h: where it is hit along y, as seen from +z, in [-1, 1]. eta: index of the inside, >= 1.
+    /// sigma_a: absorption per fibre radius, >= 0. beta_m, beta_n: roughness along and around the
+    /// fibre, in [0.01, 1]. alpha: tilt of the scales, degrees.
     HairBxDF(float h, float eta, SampledSpectrum sigma_a, float beta_m, float beta_n, float alpha)
         : h(std::clamp(h, -1.f, 1.f)),
           gamma_o(SafeASin(h)),

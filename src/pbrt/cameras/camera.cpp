@@ -114,6 +114,7 @@ Camera Camera::Create(const Description &scene, Point2i resolution, Diagnostics 
     c.right = vector({1, 0, 0}), c.up = vector({0, 1, 0});
     // Distance along the axis of a direction: exact also where the camera's transform scales.
     c.forward = vector(axis) / LengthSquared(vector(axis));
+    c.downOfFrame = Dot(Cross(c.forward, c.right), c.up) < 0 ? 1 : -1;
     if (!c.SetOrigins(resolution))
         params.Error(fmt::format(
             "camera \"{}\": its transformation, screen window or lens makes rays that cannot be "

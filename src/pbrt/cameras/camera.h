@@ -48,8 +48,9 @@ class Camera {
     /// Screen window and field of view, as 4 x 4 map from world to [0, 1]^2 x depth: for metadata.
     const Transform &NDCFromWorld() const { return ndcFromWorld; }
 
-    /// Steps of a surface point per pixel in x and y, for texture filtering: the tangent-plane
-    /// intersections of the neighbouring pixels' rays, taken from the film's centre.
+    /// Steps of a surface point per pixel in x and y (to the right and down), for texture
+    /// filtering: the tangent-plane intersections of the neighbouring pixels' rays, taken from the
+    /// film's centre.
     template <AnyFloat T>
     void ApproximateStep(Vec3<T> p, Vec3<T> n, float scale, Vec3<T> *dpdx, Vec3<T> *dpdy) const;
 
@@ -86,6 +87,7 @@ class Camera {
     Point3f origin;
     Vector3f originPerX, originPerY, direction, directionPerX, directionPerY;
     Vector3f right, up, forward;
+    float downOfFrame = -1;  ///< sense of "down" along Cross(forward, right): 1 if mirrored
     Bounds3f origins;
     float lensRadius = 0, focalDistance = 1e6f, shutterOpen = 0, shutterClose = 1;
     float timeOpen = 0, timeClose = 1;  ///< the shutter's in the time of rays, not clamped
@@ -107,7 +109,7 @@ void Camera::ApproximateStep(Vec3<T> p, Vec3<T> n, float scale, Vec3<T> *dpdx,
     const auto project = [&](Vec3<T> v) { return v - view * (Dot(n, v) / safe); };
     const auto frame = FrameT<T>::FromZTangent(view, all(right));
     *dpdx = step * project(frame.x);
-    *dpdy = step * project(frame.y);
+    *dpdy = (step * downOfFrame) * project(frame.y);
 }
 
 }  // namespace pbrt

@@ -11,6 +11,10 @@ namespace {
 
 constexpr const char *kTextures[] = {"thickness", "spacing", "tilt"};
 
+/// Atlases are much higher than wide, so that pbrt-v4's rule for other filters takes far too coarse
+/// levels, and means of tilt or thickness are not means of color.
+constexpr const char *kAtlasLookup = " \"string wrap\" \"clamp\" \"string filter\" \"ewa\"";
+
 std::string TextureFile(const FeatherNames &names, std::string_view which) {
     return names.Path(which) + (names.textures == TextureFiles::Ptex ? ".ptx" : ".exr");
 }
@@ -56,8 +60,7 @@ std::string TextureDirectives(const FeatherNames &names) {
             "Texture \"{}{}\" \"float\" {} \"string filename\" \"{}\"{}\n", names.prefix, which,
             names.textures == TextureFiles::Ptex ? "\"ptex\" \"string encoding\" \"linear\""
                                                  : "\"imagemap\"",
-            TextureFile(names, which),
-            names.textures == TextureFiles::Ptex ? "" : " \"string wrap\" \"clamp\"");
+            TextureFile(names, which), names.textures == TextureFiles::Ptex ? "" : kAtlasLookup);
     return text + fmt::format(
                       "Texture \"{0}tilt angle\" \"float\" \"mix\" \"float tex1\" {1} "
                       "\"float tex2\" {2} \"texture amount\" \"{0}tilt\"\n",
