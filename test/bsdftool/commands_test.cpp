@@ -83,9 +83,8 @@ TEST_F(BsdfTool, ATextMayBeLongerThanAnyFileName) {
 
 TEST_F(BsdfTool, NaNIsNoNumberOfAnOption) {
     EXPECT_EQ(Fail({"spectrum", kFeather, "--step", "nan"}),
-              "bsdftool spectrum: --step: expected a number from 0.1 to 50, found nan\n(\"bsdftool "
-              "spectrum --help\" lists the "
-              "options)\n");
+              "bsdftool spectrum: --step: expected a number from 0.1 to 50, found nan\n"
+              "(\"bsdftool spectrum --help\" lists the options)\n");
     EXPECT_NE(Fail({"spectrum", kFeather, "--thetas", "nan"}), "");
 }
 

@@ -7,6 +7,7 @@
 #include "feather/model.h"
 #include "pbrt/bsdftool/directions.h"
 #include "pbrt/bsdftool/evaluation.h"
+#include "support/damaged.h"
 
 namespace pbrt::bsdftool {
 namespace {
@@ -187,11 +188,7 @@ TEST_F(Eval, DamagedFilesAreReadOrRefused) {
         "0.1,-0.2,1,0,+0.5,1\n\n-1,2,3,4,5,6\n";
     std::mt19937 random(7);
     for (int i = 0; i < 2000; ++i) {
-        std::string bad = good;
-        for (int k = 0; k < 1 + i % 3; ++k)
-            bad[random() % bad.size()] ^= char(1 + random() % 255);
-        if (i % 4 == 0) bad.resize(random() % bad.size());
-        Put("bad.csv", bad);
+        Put("bad.csv", Damaged(good, random));
         Diagnostics log;
         for (const DirectionPair &pair : ReadDirections(Path("bad.csv"), log))
             for (const LocalDirection &w : {pair.wo, pair.wi})

@@ -70,5 +70,22 @@ TEST_F(FaultsOfBudget, NestedInstances) {
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
 }
 
+/// Mixes of two of the one before: 2^k materials, each of which may be asked for each ray.
+TEST_F(FaultsOfBudget, MixesOfMixes) {
+    const auto scene = [](int levels) {
+        std::string text = "MakeNamedMaterial \"m0\" \"string type\" \"diffuse\"\n";
+        for (int i = 1; i <= levels; ++i) {
+            const std::string inner = "\"m" + std::to_string(i - 1) + "\" ";
+            text += "MakeNamedMaterial \"m" + std::to_string(i) +
+                    "\" \"string type\" \"mix\" \"string materials\" [" + inner + inner + "]\n";
+        }
+        return text + "NamedMaterial \"m" + std::to_string(levels) + "\" Shape \"sphere\"";
+    };
+    PutScene(scene(9));
+    EXPECT_EQ(Render().exitCode, 0);
+    PutScene(scene(40));
+    EXPECT_TRUE(Refused(Render(), "scene.pbrt:17:1: mixes of mixes make 1024 materials"));
+}
+
 }  // namespace
 }  // namespace pbrt::test

@@ -46,7 +46,7 @@ class FaultsOfMemory : public Faults {
         }
     }
     /// The same for pbrt and scene.pbrt.
-    void Loop(const char *nThreads, double step = 1.1, const std::string &out = "out.pfm") const {
+    void Loop(const char *nThreads, double step = 1.15, const std::string &out = "out.pfm") const {
         Loop("pbrt", {"scene.pbrt", "--quiet", "--nthreads", nThreads, "--outfile", out}, {out},
              step);
     }
@@ -86,7 +86,7 @@ TEST_F(FaultsOfMemory, Mesh) {
     PutScene(
         "Material \"diffuse\" \"rgb reflectance\" [.2 .2 .2]\n"
         "Shape \"plymesh\" \"string filename\" \"mesh.ply\"");
-    Loop("1", 1.06);
+    Loop("1", 1.08);
     Loop("2");
 }
 
@@ -129,7 +129,7 @@ TEST_F(FaultsOfMemory, Film) {
         "Film \"spectral\" \"integer xresolution\" 300 \"integer yresolution\" 300 "
         "\"integer nbuckets\" 64\n"
         "Sampler \"independent\" \"integer pixelsamples\" 1\nWorldBegin\n");
-    Loop("2", 1.1, "out.exr");
+    Loop("2", 1.15, "out.exr");
 }
 
 TEST_F(FaultsOfMemory, Tools) {

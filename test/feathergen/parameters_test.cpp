@@ -8,6 +8,7 @@
 #include <set>
 
 #include "grow_test.h"
+#include "support/damaged.h"
 
 namespace pbrt::feathergen {
 namespace {
@@ -133,12 +134,8 @@ TEST_F(CommandLine, DamagedParametersAreReadOrRefused) {
     const std::string good = ToJson(Parameters());
     std::mt19937 random(6);
     for (int i = 0; i < 2000; ++i) {
-        std::string bad = good;
-        for (int k = 0; k < 1 + i % 3; ++k)
-            bad[random() % bad.size()] ^= char(1 + random() % 255);
-        if (i % 4 == 0) bad.resize(random() % bad.size());
         Parameters parameters;
-        const std::string problem = FromJson(bad, &parameters);
+        const std::string problem = FromJson(Damaged(good, random), &parameters);
         EXPECT_TRUE(problem.empty() || parameters == Parameters());
         for (const ParameterRow &row : ParameterTable())
             EXPECT_TRUE(parameters.*row.value >= row.lo && parameters.*row.value <= row.hi);

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
-#include <zlib.h>
 
 #include <cstdio>
 #include <fstream>
@@ -11,25 +10,12 @@
 
 #include "pbrt/scene/scene_file.h"
 #include "scene/parse.h"
+#include "support/damaged.h"
+#include "support/gzipped.h"
 #include "support/temp_folder.h"
 
 namespace pbrt {
 namespace {
-
-/// `text` as one gzip member.
-std::string Gzip(const std::string &text) {
-    z_stream z{};
-    EXPECT_EQ(deflateInit2(&z, 9, Z_DEFLATED, 16 + MAX_WBITS, 8, Z_DEFAULT_STRATEGY), Z_OK);
-    std::string out(deflateBound(&z, uLong(text.size())), '\0');
-    z.next_in = reinterpret_cast<Bytef *>(const_cast<char *>(text.data()));
-    z.avail_in = uInt(text.size());
-    z.next_out = reinterpret_cast<Bytef *>(out.data());
-    z.avail_out = uInt(out.size());
-    EXPECT_EQ(deflate(&z, Z_FINISH), Z_STREAM_END);
-    out.resize(z.total_out);
-    deflateEnd(&z);
-    return out;
-}
 
 class SceneFiles : public TempFolder {
   protected:
@@ -182,9 +168,9 @@ TEST_F(SceneFiles, ImportIntoAnObjectFillsIt) {
 }
 
 TEST_F(SceneFiles, CompressedFilesAreRead) {
-    Write("part.pbrt.GZ", Gzip("Shape \"part\""));
+    Write("part.pbrt.GZ", Gzipped("Shape \"part\""));
     const auto parsed =
-        ParseAll({Write("a.pbrt.gz", Gzip("WorldBegin Include \"part.pbrt.GZ\" Shape \"a\""))});
+        ParseAll({Write("a.pbrt.gz", Gzipped("WorldBegin Include \"part.pbrt.GZ\" Shape \"a\""))});
     EXPECT_EQ(parsed->Messages(), Texts{});
     EXPECT_EQ(parsed->scene.shapes.size(), 2u);
 }
@@ -192,7 +178,7 @@ TEST_F(SceneFiles, CompressedFilesAreRead) {
 TEST_F(SceneFiles, UncompressedContentsInGzAreAnErrorAndTheReverse) {
     EXPECT_EQ(Short(*ParseAll({Write("a.pbrt.gz", "WorldBegin")})).at(0),
               "cannot read \"a.pbrt.gz\": the compressed data is damaged (incorrect header check)");
-    EXPECT_EQ(Short(*ParseAll({Write("b.pbrt", Gzip("WorldBegin"))})).at(0),
+    EXPECT_EQ(Short(*ParseAll({Write("b.pbrt", Gzipped("WorldBegin"))})).at(0),
               "b.pbrt: the file is compressed; name it .gz");
 }
 
@@ -216,16 +202,16 @@ TEST_F(SceneFiles, StandardInputIsRead) {
 
 TEST(Gunzip, ReadsEveryMember) {
     std::string why;
-    EXPECT_EQ(Gunzip(Gzip("one ") + Gzip("") + Gzip("two"), why), "one two");
-    EXPECT_EQ(Gunzip(Gzip("padded") + std::string(512, '\0'), why), "padded");
+    EXPECT_EQ(Gunzip(Gzipped("one ") + Gzipped("") + Gzipped("two"), why), "one two");
+    EXPECT_EQ(Gunzip(Gzipped("padded") + std::string(512, '\0'), why), "padded");
     std::string large;
     for (int i = 0; large.size() < 5'000'000; ++i)
         large += std::to_string(i % 1009 * 7919) + ' ';
-    EXPECT_EQ(Gunzip(Gzip(large), why), large);
+    EXPECT_EQ(Gunzip(Gzipped(large), why), large);
 }
 
 TEST(Gunzip, RefusesDamagedData) {
-    const std::string whole = Gzip("Some text that is worth compressing, some text, some text");
+    const std::string whole = Gzipped("Some text that is worth compressing, some text, some text");
     std::string why;
     for (size_t size = 0; size < whole.size(); ++size)
         EXPECT_FALSE(Gunzip(whole.substr(0, size), why)) << size;
@@ -243,13 +229,11 @@ TEST(Gunzip, FlippedBytesAreReadOrRefused) {
     std::string text;
     for (int i = 0; i < 300; ++i)
         text += std::to_string(i * 7919 % 1009) + ' ';
-    const std::string whole = Gzip(text);
+    const std::string whole = Gzipped(text);
     std::mt19937 random(5);
     for (int i = 0; i < 2000; ++i) {
-        std::string damaged = whole, why;
-        for (int k = 0; k < 1 + i % 3; ++k)
-            damaged[random() % damaged.size()] ^= char(1 + random() % 255);
-        const auto read = Gunzip(damaged, why);
+        std::string why;
+        const auto read = Gunzip(Damaged(whole, random), why);
         EXPECT_NE(read.has_value(), !why.empty());
         // What passes unseen is in the header: a name, a time.
         EXPECT_EQ(read.value_or(text), text);

@@ -276,9 +276,9 @@ TEST_F(Ply, DamagedFilesSayWhatIsWrong) {
         {zipped.substr(0, zipped.size() / 2), "its gzip data end early"},
         {flipped, "its gzip data are damaged: "},
         {Gzipped(head("element vertex 3", "element vertex 4000000000")),
-         "is too short: 4000000000 x \"vertex\" need at least 24000000000 bytes, 268435"},
+         "is too short: 4000000000 x \"vertex\" need at least 24000000000 bytes, 67108"},
         {Gzipped(head("element face 1", "element face 4000000000")),
-         "is too short: 4000000000 x \"face\" need at least 8000000000 bytes, 268435"},
+         "is too short: 4000000000 x \"face\" need at least 8000000000 bytes, 67108"},
         {Gzipped(head("element vertex 3", "element vertex 4000000")),
          "ends in vertex 4 of 4000000"},
         {Gzipped(head("element face 1", "element face 4000000")), "ends in face 1 of 4000000"}};
@@ -347,8 +347,8 @@ TEST_F(Ply, FaceIndicesAreInts) {
 }
 
 TEST_F(Ply, BombsAreRefused) {
-    // One list of 280 MB of zeros, packed 1000 times: beyond 256 MiB and 200 times.
-    constexpr uint32_t kBlock = 1'000'000, kBlocks = 280;
+    // One list of 80 MB of zeros, packed 1000 times: beyond 64 MiB and 200 times.
+    constexpr uint32_t kBlock = 1'000'000, kBlocks = 80;
     std::string head =
         "ply\nformat binary_little_endian 1.0\nelement junk 1\nproperty list uint uchar a\n"
         "element vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
@@ -360,7 +360,7 @@ TEST_F(Ply, BombsAreRefused) {
     for (uint32_t i = 0; i < kBlocks; ++i)
         file += block;
     EXPECT_FALSE(Read(file + Gzipped(std::string(12, '\0'))));
-    EXPECT_NE(problem.find("unpacks to more than 268 MB and 200 times its size"), std::string::npos)
+    EXPECT_NE(problem.find("unpacks to more than 67 MB and 200 times its size"), std::string::npos)
         << problem;
 }
 

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <random>
 
+#include "support/damaged.h"
 #include "support/temp_folder.h"
 
 namespace pbrt {
@@ -81,11 +82,7 @@ TEST_F(SpectrumFile, DamagedFilesAreReadOrRefused) {
         good += std::to_string(380 + 10 * i) + " 0." + std::to_string(i * 7919) + "\n";
     std::mt19937 random(4);
     for (int i = 0; i < 500; ++i) {
-        std::string bad = good;
-        for (int k = 0; k < 1 + i % 3; ++k)
-            bad[random() % bad.size()] ^= char(1 + random() % 255);
-        if (i % 2) bad.resize(random() % bad.size());
-        const auto read = Read(bad);
+        const auto read = Read(Damaged(good, random));
         EXPECT_NE(bool(read), !read.error.empty());
         if (!read) continue;
         ASSERT_EQ(read.value->lambda.size(), read.value->values.size());

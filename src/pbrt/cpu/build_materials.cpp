@@ -30,6 +30,16 @@ class MaterialMaker {
         const MaterialId id = kFirstMix + int(world.mixes.size());
         world.mixes.push_back(MixMaterial::Create(params, textures, table.named));
         params.ReportUnused();
+        int parts = 0;
+        for (const MaterialId part : world.mixes.back().materials)
+            parts += part >= kFirstMix ? partsOf[size_t(part - kFirstMix)] : 1;
+        if (parts > kMostParts) {
+            params.Error(fmt::format("mixes of mixes make {} materials of this one, more than {}",
+                                     parts, kMostParts));
+            world.mixes.back().materials = {0, 0};
+            parts = 2;
+        }
+        partsOf.push_back(parts);
         for (const MaterialId part : world.mixes.back().materials) {
             if (const auto laid = table.laidByUV.find(part); laid != table.laidByUV.end())
                 table.laidByUV.emplace(id, laid->second);
@@ -47,11 +57,15 @@ class MaterialMaker {
         return id;
     }
 
+    /// Every part may be asked for each ray, as for gaps.
+    static constexpr int kMostParts = 1000;
+
     const Description &scene;
     const NamedTextures &textures;
     World &world;
     MaterialTable &table;
     Diagnostics &log;
+    std::vector<int> partsOf;  ///< by mix: single materials in it, repeated ones counted
 };
 
 /// Finds directives that say the same: many scenes give every shape a material of its own, and few

@@ -28,7 +28,7 @@ struct Inflater {
 
 /// Room for what is unpacked next; false and `why` where there should be no more.
 bool MakeRoom(std::string &out, size_t packed, std::string &why) {
-    constexpr size_t kChunk = 1 << 20, kWorthAsking = 64 * kChunk;
+    constexpr size_t kChunk = 1 << 20, kWorthAsking = 16 * kChunk;
     const size_t before = out.size(), after = before + std::max(kChunk, before / 2);
     if (auto tooLarge = WhyUnpackedTooLarge(before, packed))
         return why = fmt::format("it {}", *tooLarge), false;

@@ -10,7 +10,8 @@ Matrix4 Multiply(const Matrix4 &a, const Matrix4 &b) {
     for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j) {
             double sum = 0;
-            for (int k = 0; k < 4; ++k) sum += double(a[i][k]) * b[k][j];
+            for (int k = 0; k < 4; ++k)
+                sum += double(a[i][k]) * b[k][j];
             r[i][j] = float(sum);
         }
     return r;
@@ -20,7 +21,8 @@ Matrix4 Multiply(const Matrix4 &a, const Matrix4 &b) {
 std::optional<Matrix4> Inverted(const Matrix4 &m) {
     double a[4][8] = {};
     for (int i = 0; i < 4; ++i) {
-        for (int j = 0; j < 4; ++j) a[i][j] = m[i][j];
+        for (int j = 0; j < 4; ++j)
+            a[i][j] = m[i][j];
         a[i][4 + i] = 1;
     }
     for (int column = 0; column < 4; ++column) {
@@ -29,17 +31,21 @@ std::optional<Matrix4> Inverted(const Matrix4 &m) {
             if (std::abs(a[row][column]) > std::abs(a[pivot][column])) pivot = row;
         const double p = a[pivot][column];
         if (p == 0 || !std::isfinite(p)) return {};
-        for (int j = 0; j < 8; ++j) std::swap(a[column][j], a[pivot][j]);
-        for (int j = 0; j < 8; ++j) a[column][j] /= p;
+        for (int j = 0; j < 8; ++j)
+            std::swap(a[column][j], a[pivot][j]);
+        for (int j = 0; j < 8; ++j)
+            a[column][j] /= p;
         for (int row = 0; row < 4; ++row) {
             const double f = a[row][column];
             if (row == column || f == 0) continue;
-            for (int j = 0; j < 8; ++j) a[row][j] -= f * a[column][j];
+            for (int j = 0; j < 8; ++j)
+                a[row][j] -= f * a[column][j];
         }
     }
     Matrix4 inverse;
     for (int i = 0; i < 4; ++i)
-        for (int j = 0; j < 4; ++j) inverse[i][j] = float(a[i][4 + j]);
+        for (int j = 0; j < 4; ++j)
+            inverse[i][j] = float(a[i][4 + j]);
     return inverse;
 }
 
@@ -53,20 +59,22 @@ std::optional<Transform> Transform::FromMatrix(const Matrix4 &m) {
 
 Transform Transform::Translate(Vector3f t) {
     Transform r;
-    for (int i = 0; i < 3; ++i) r.m[i][3] = t[i], r.mInv[i][3] = -t[i];
+    for (int i = 0; i < 3; ++i)
+        r.m[i][3] = t[i], r.mInv[i][3] = -t[i];
     return r;
 }
 
 std::optional<Transform> Transform::Scale(Vector3f s) {
     if (s.x == 0 || s.y == 0 || s.z == 0) return {};
     Transform r;
-    for (int i = 0; i < 3; ++i) r.m[i][i] = s[i], r.mInv[i][i] = 1 / s[i];
+    for (int i = 0; i < 3; ++i)
+        r.m[i][i] = s[i], r.mInv[i][i] = 1 / s[i];
     return r;
 }
 
 std::optional<Transform> Transform::Rotate(float degrees, Vector3f axis) {
-    const double length = std::sqrt(double(axis.x) * axis.x + double(axis.y) * axis.y +
-                                    double(axis.z) * axis.z);
+    const double length =
+        std::sqrt(double(axis.x) * axis.x + double(axis.y) * axis.y + double(axis.z) * axis.z);
     if (!(length > 0)) return {};
     const double angle = degrees * (3.14159265358979323846 / 180);
     const double c = std::cos(angle), s = std::sin(angle);
@@ -119,8 +127,8 @@ bool Transform::SwapsHandedness() const {
 Bounds3f Transform::Bounds(const Bounds3f &b) const {
     Bounds3f r;
     for (int i = 0; i < 8; ++i)
-        r.Grow(Point({(i & 1 ? b.max : b.min).x, (i & 2 ? b.max : b.min).y,
-                      (i & 4 ? b.max : b.min).z}));
+        r.Grow(Point(
+            {(i & 1 ? b.max : b.min).x, (i & 2 ? b.max : b.min).y, (i & 4 ? b.max : b.min).z}));
     return r;
 }
 

@@ -9,7 +9,7 @@
 namespace pbrt {
 
 namespace {
-constexpr uint64_t kFree = uint64_t(256) << 20, kRatio = 200;
+constexpr uint64_t kFree = uint64_t(64) << 20, kRatio = 200;
 }
 
 uint64_t MostUnpacked(uint64_t packed) {

@@ -6,7 +6,7 @@
 
 namespace pbrt {
 
-/// Most bytes that are taken from `packed` compressed ones: 256 MiB, or 200 times as many. Scenes
+/// Most bytes that are taken from `packed` compressed ones: 64 MiB, or 200 times as many. Scenes
 /// and meshes take 3 to 30 times their packed size; deflate reaches 1032.
 uint64_t MostUnpacked(uint64_t packed);
 
