@@ -3,15 +3,16 @@
 #include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "pbrt/spectra/spectrum.h"
 
 namespace pbrt {
 namespace {
 
-const Spectrum &Get(const std::string &name) {
+const Spectrum &Get(std::string_view name) {
     const Spectrum *s = GetNamedSpectrum(name);
-    if (!s) throw std::runtime_error(name + " is missing");
+    if (!s) throw std::runtime_error(std::string(name) + " is missing");
     return *s;
 }
 
