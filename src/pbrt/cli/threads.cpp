@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <condition_variable>
+#include <cstddef>
 #include <mutex>
+#include <new>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -64,9 +66,9 @@ Threads LimitThreads(int wanted) {
                                      trial.Count() == 1 ? "" : "s", threads.count, trial.Why());
     threads.count = trial.Count();
     // Never destroyed, for then oneTBB would start threads again.
-    static const auto *const limit = new tbb::global_control(
-        tbb::global_control::max_allowed_parallelism, size_t(threads.count));
-    (void)limit;
+    alignas(tbb::global_control) static std::byte limit[sizeof(tbb::global_control)];
+    new (limit)
+        tbb::global_control(tbb::global_control::max_allowed_parallelism, size_t(threads.count));
     return threads;
 }
 
