@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <cstdio>
 #include <fstream>
 #include <map>
 #include <regex>
@@ -13,30 +11,17 @@
 #include "pbrt/image/image.h"
 #include "pbrt/scene/description.h"
 #include "support/folders.h"
+#include "support/shell.h"
 #include "support/temp_folder.h"
 
 namespace pbrt {
 namespace {
 
-struct Outcome {
-    int exitCode;
-    std::string said;  ///< both streams
-};
-
 class ProgramOptions : public TempFolder {
   protected:
     /// `command` begins with a program's name.
     Outcome Run(const std::string &command) {
-        const std::string line =
-            "cd '" + Path("") + "' && PATH='" + ProgramDir() + "':\"$PATH\" " + command + " 2>&1";
-        Outcome outcome;
-        FILE *const pipe = popen(line.c_str(), "r");
-        char buffer[4096];
-        while (const size_t n = fread(buffer, 1, sizeof buffer, pipe))
-            outcome.said.append(buffer, n);
-        const int status = pclose(pipe);
-        outcome.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-        return outcome;
+        return Shell("cd '" + Path("") + "' && PATH='" + ProgramDir() + "':\"$PATH\" " + command);
     }
     void Write(const std::string &name, const std::string &text) {
         std::ofstream(Path(name)) << text;

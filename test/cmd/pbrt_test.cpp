@@ -1,10 +1,9 @@
 // The program `pbrt` as a user meets it: exit codes, messages, files.
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
+#include <unistd.h>
 
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -13,16 +12,12 @@
 
 #include "pbrt/image/image.h"
 #include "support/folders.h"
+#include "support/shell.h"
 
 namespace pbrt {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Outcome {
-    int exitCode;
-    std::string said;  ///< both streams
-};
 
 class Program : public testing::Test {
   protected:
@@ -35,16 +30,8 @@ class Program : public testing::Test {
     void TearDown() override { fs::remove_all(folder); }
 
     Outcome Run(const std::string &arguments, const std::string &before = "") {
-        const std::string command = "cd '" + folder.string() + "' && " + before + " '" +
-                                    ProgramDir() + "/pbrt' " + arguments + " 2>&1";
-        Outcome outcome;
-        FILE *pipe = popen(command.c_str(), "r");
-        char buffer[4096];
-        while (const size_t n = fread(buffer, 1, sizeof buffer, pipe))
-            outcome.said.append(buffer, n);
-        const int status = pclose(pipe);
-        outcome.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-        return outcome;
+        return Shell("cd '" + folder.string() + "' && " + before + " '" + ProgramDir() + "/pbrt' " +
+                     arguments);
     }
     void Write(const std::string &name, const std::string &text) {
         std::ofstream(folder / name) << text;
