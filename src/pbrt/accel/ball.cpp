@@ -6,11 +6,11 @@ namespace pbrt {
 
 namespace {
 
-/// What the cosine of a right angle may be: Rotate's is 6e-17, for pi is rounded. It moves points
-/// along the normal by 2e-15 of the radius at most, where PlaceQuadric grants 4e-15.
+/// Largest cosine that counts as a right angle's: Rotate's is 6e-17, for pi is rounded. It moves
+/// points along the normal by 2e-15 of the radius at most, where PlaceQuadric grants 4e-15.
 constexpr float kRightAngle = 1e-15f;
 
-/// Whether an axis of the map lies along one of space, as long as `scale`.
+/// True if an axis of the map lies along one of space, as long as `scale`.
 bool IsStraight(Vector3f axis, float scale) {
     const Vector3f a = Abs(axis);
     int along = 0, across = 0;

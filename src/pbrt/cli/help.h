@@ -5,8 +5,8 @@
 
 namespace pbrt::cli {
 
-/// What --help prints of a program or command: usage, description, arguments, options, footer. The
-/// same for every version of CLI11.
+/// The text that --help prints for a program or command: usage, description, arguments, options,
+/// footer. The same for every version of CLI11.
 std::string Help(const CLI::App &app);
 
 }  // namespace pbrt::cli

@@ -40,7 +40,7 @@ std::string Version() {
     return "pbrt-feather " PBRT_VERSION;
 }
 
-/// Of an option given twice the last counts: wrappers append theirs.
+/// The last of an option given twice counts: wrappers append theirs.
 void LastOnesCount(CLI::App *app) {
     for (CLI::Option *option : app->get_options([](CLI::Option *) { return true; }))
         if (!option->get_positional() && option->get_items_expected_max() == 1)

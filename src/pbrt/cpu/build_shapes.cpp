@@ -9,7 +9,7 @@
 namespace pbrt {
 namespace {
 
-/// What Embree and World::instances take for one that rests: 704 MiB were measured for
+/// Bytes that Embree and World::instances take for one that rests: 704 MiB were measured for
 /// 2^20 of them.
 constexpr double kBytesPerInstance = 700;
 /// Geometries and instances share Embree's 32 bits.

@@ -19,7 +19,7 @@ class MseLog {
     /// Writes a line `spp, error` and all before it: the mean over pixels, R, G and B of the
     /// squared difference.
     void Add(const Film &film, int samplesPerPixel);
-    /// Of the last picture added.
+    /// Error of the last picture added.
     double Error() const { return error; }
     /// Why the file could not be written, if so.
     const std::optional<std::string> &Problem() const { return problem; }

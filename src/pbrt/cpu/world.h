@@ -79,8 +79,8 @@ struct World {
     }
     /// Geometries below this stand in the scene as they are; the others only in instances.
     uint32_t TopLevelGeometries() const;
-    /// Whether light passes straight through; no, of materials that could not be made, and of all
-    /// where Option "forcediffuse" makes them matt.
+    /// True if light passes straight through; false for materials that could not be made, and for
+    /// all where Option "forcediffuse" makes them matt.
     bool LetsLightThrough(MaterialId id) const;
 
   private:

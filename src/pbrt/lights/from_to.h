@@ -5,7 +5,7 @@
 
 namespace pbrt {
 
-/// Where a light stands and into which direction it shines, of any length, in its own space.
+/// A light's place and the direction into which it shines, of any length, in its own space.
 struct FromTo {
     Point3f from;
     Vector3f along;

@@ -12,7 +12,7 @@ constexpr std::array<std::string_view, 4> kNames{PointLight::kName, SpotLight::k
                                                  DistantLight::kName, UniformInfiniteLight::kName};
 constexpr std::array<std::string_view, 1> kAreaNames{DiffuseAreaLight::kName};
 
-/// Whether directions keep lengths to normalise by on their way to the light and back.
+/// True if directions keep lengths to normalise by on their way to the light and back.
 bool KeepsDirections(const Transform &t) {
     for (const Vector3f &axis : {Vector3f{1, 0, 0}, Vector3f{0, 1, 0}, Vector3f{0, 0, 1}})
         if (!HasSafeLength(t.Vector(axis)) || !HasSafeLength(t.Inverse().Vector(axis)))

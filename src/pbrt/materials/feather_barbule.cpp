@@ -11,7 +11,7 @@ NumberRow Row(const feather::Param &p) {
     return {p.name, feather::UnitName(p.unit), float(p.def), float(p.lo), float(p.hi), p.doc};
 }
 
-/// What may have led to v outside [lo, hi].
+/// A guess at the mistake that led to v outside [lo, hi].
 std::string_view Guess(const feather::SpectrumParam &row, float v) {
     if (v == 0) return "; spectra that stand in the scene are 0 outside their wavelengths";
     const bool looksLikePercent = row.hi == 1 && v > 1 && v <= 100;

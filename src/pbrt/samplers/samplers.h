@@ -9,7 +9,7 @@
 
 namespace pbrt {
 
-/// Of every sampler but `stratified`, which has 2^20.
+/// Limit of every sampler but `stratified`, which has 2^20.
 inline constexpr int kMaxSamplesPerPixel = 1 << 24;
 
 /// The one list of samplers.

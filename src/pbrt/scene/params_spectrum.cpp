@@ -9,7 +9,7 @@
 namespace pbrt {
 namespace {
 
-/// Whether 0 beyond an end that lies within visible light is another spectrum than the end's value.
+/// True if 0 beyond an end that lies within visible light is another spectrum than the end's value.
 bool EndsMatter(const SpectrumPoints &points) {
     return (points.lambda.front() > LambdaMin && points.values.front() != 0) ||
            (points.lambda.back() < LambdaMax && points.values.back() != 0);

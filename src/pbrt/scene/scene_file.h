@@ -15,7 +15,8 @@ namespace pbrt {
 std::optional<std::string> ReadFileContents(const std::string &path, Pipes pipes,
                                             const FileLoc &use, Diagnostics &log);
 
-/// What a gzip file holds, all its members; nullopt and `why` where it is damaged or too large.
+/// The contents of a gzip file, all its members; nullopt and `why` where it is damaged or too
+/// large.
 std::optional<std::string> Gunzip(std::string_view compressed, std::string &why);
 
 /// `name` inside folder `dir` where such a file exists, else `name` itself (so found from the

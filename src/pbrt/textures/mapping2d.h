@@ -58,7 +58,7 @@ class TextureMapping2D {
         return std::visit([&](const auto &m) { return m.Map(ctx); }, mapping);
     }
 
-    /// Of the surface, not of the point alone.
+    /// A property of the surface, not of the point alone.
     bool ReadsUV() const { return std::holds_alternative<UVMapping>(mapping); }
 
   private:

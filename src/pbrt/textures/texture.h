@@ -95,7 +95,7 @@ struct NamedTextures {
     std::set<std::string> readUV;  ///< names of those that look at the surface's uv
     bool readFootprints = false;   ///< some texture reads the steps per pixel of its context
 
-    /// Whether a parameter names a texture that looks at the surface's uv.
+    /// True if a parameter names a texture that looks at the surface's uv.
     bool AnyReadsUV(const ParsedParameters &params) const;
     const std::map<std::string, SpectrumTexture> &Spectra(SpectrumType role) const {
         return role == SpectrumType::Albedo      ? albedos

@@ -21,7 +21,7 @@ struct NormalizedArgs {
     std::string unknown;  ///< the unknown option that it is about: lower case, without - and _
 };
 
-/// Whether an option spelled so, dashes included, is the one of this name.
+/// True if an option spelled so, dashes included, is the one of this name.
 bool IsSpellingOf(std::string_view spelled, std::string_view name);
 
 /// Accepts pbrt's spellings: one or two dashes, `--name value` or `--name=value`, and in names

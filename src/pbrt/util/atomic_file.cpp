@@ -22,7 +22,7 @@ std::string Sentence(const std::string &fileName, std::string_view what, int err
     return fmt::format("{}: {}: {}", fileName, what, std::strerror(error));
 }
 
-/// Where the bytes belong.
+/// The path that the bytes belong to.
 struct Target {
     fs::path path;               ///< the end of a chain of symbolic links
     std::string folder;          ///< of `path`
