@@ -59,13 +59,13 @@ void AddModel(Stopwatch &watch, const Pairs &pairs) {
                   return barbule.R(barbule.SeenFrom(p.wo[i]), p.wi[i])[0];
               }));
     watch.Add("PDF", kCalls, Over(pairs, [](const Pairs &p, int i) {
-                  return barbule.Pdf(barbule.SeenFrom(p.wo[i]), p.wi[i]);
+                  return barbule.PDF(barbule.SeenFrom(p.wo[i]), p.wi[i]);
               }));
     watch.Add("PDF, view given", kCalls, [&pairs] {
         double sum = 0;
         const auto view = barbule.SeenFrom(pairs.wo[0]);
         for (int i = 0; i < kCalls; ++i)
-            sum += barbule.Pdf(view, pairs.wi[i]);
+            sum += barbule.PDF(view, pairs.wi[i]);
         return sum;
     });
     watch.Add("Sample without f", kCalls, Over(pairs, [](const Pairs &p, int i) {
@@ -133,13 +133,13 @@ void PrintRule(const Stopwatch &watch, const std::string &name) {
 template <class Visit>
 void ForEachRule(Visit visit) {
     visit.template operator()<GaussPanel<8>>("plain 8 x 2, in e");
-    visit.template operator()<FixedRule<2, 2, true>>("4 dealt to 2");
-    visit.template operator()<FixedRule<2, 4, true>>("8 dealt to 2");
+    visit.template operator()<FixedRule<2, 2, true>>("4 interleaved to 2");
+    visit.template operator()<FixedRule<2, 4, true>>("8 interleaved to 2");
     visit.template operator()<FixedRule<2, 4, false>>("4 x 2");
-    visit.template operator()<FixedRule<2, 6, true>>("12 dealt to 2");
-    visit.template operator()<FixedRule<2, 8, true>>("16 dealt to 2");
+    visit.template operator()<FixedRule<2, 6, true>>("12 interleaved to 2");
+    visit.template operator()<FixedRule<2, 8, true>>("16 interleaved to 2");
     visit.template operator()<FixedRule<2, 8, false>>("8 x 2");
-    visit.template operator()<FixedRule<2, 16, true>>("32 dealt to 2");
+    visit.template operator()<FixedRule<2, 16, true>>("32 interleaved to 2");
     visit.template operator()<FixedRule<4, 8, false>>("8 x 4");
     visit.template operator()<FixedRule<8, 8, false>>("8 x 8");
     visit.template operator()<AdaptiveRule>("adaptive (default)");

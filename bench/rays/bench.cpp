@@ -11,7 +11,7 @@
 #include "bench/rays/ray_kinds.h"
 #include "bench/stopwatch.h"
 #include "pbrt/accel/query.h"
-#include "pbrt/cpu/build.h"
+#include "pbrt/build/build_scene.h"
 #include "pbrt/scene/parser.h"
 
 namespace pbrt::bench {
@@ -21,7 +21,7 @@ constexpr int kPaths = 100000, kMaxBounces = 4;
 
 /// Calls each(ray) for each ray of the paths; each traces it and says whether and what it hits.
 template <typename Each>
-double FollowPaths(const World &world, const Each &each) {
+double FollowPaths(const RenderScene &world, const Each &each) {
     const Point2i resolution = world.film.FullResolution();
     Rng rng(1);
     double sum = 0;
@@ -31,7 +31,7 @@ double FollowPaths(const World &world, const Each &each) {
         for (int bounce = 0; bounce <= kMaxBounces; ++bounce) {
             Hit hit;
             if (!each(ray, &hit)) break;
-            const SurfacePoint sp = world.Interact(hit, ray);
+            const SurfaceInteraction sp = world.SurfaceAt(hit, ray);
             sum += hit.t;
             Vector3f n = sp.n;
             if (Dot(n, ray.d) > 0) n = -n;
@@ -66,7 +66,7 @@ RTCRayHit ToEmbree(const Ray &ray) {
     return rh;
 }
 
-void Compare(const World &world, int rounds) {
+void Compare(const RenderScene &world, int rounds) {
     const Accel &accel = *world.accel;
     std::vector<Ray> rays;
     FollowPaths(world, [&](const Ray &ray, Hit *hit) {
@@ -118,7 +118,7 @@ void AddIntersections(Stopwatch *watch, const Accel &accel, const RayKind &kind,
         return sum;
     });
     watch->Add(name + " 16", n, [&, coherence] {
-        WideFloat sum{};
+        FloatX16 sum{};
         HitPacket hits{};
         for (size_t i = 0; i < kind.packets.size(); ++i)
             sum +=
@@ -145,7 +145,7 @@ void AddOcclusions(Stopwatch *watch, const Accel &accel, const RayKind &kind) {
     });
 }
 
-void ComparePackets(const World &world, int rounds) {
+void ComparePackets(const RenderScene &world, int rounds) {
     const RayKinds kinds(world);
     Stopwatch watch;
     AddIntersections(&watch, *world.accel, kinds.camera, Coherence::Alike);
@@ -165,9 +165,9 @@ int Main(int argc, char **argv) {
         return 1;
     }
     Diagnostics log;
-    Description scene;
+    SceneDescription scene;
     ParseFiles({argv[1]}, scene, log);
-    const std::unique_ptr<World> world = BuildWorld(scene, {}, log);
+    const std::unique_ptr<RenderScene> world = BuildScene(scene, {}, log);
     for (const Message &m : log.Messages())
         std::fprintf(stderr, "%s\n", m.text.c_str());
     if (!world) return 1;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "pbrt/cpu/world.h"
+#include "pbrt/build/render_scene.h"
 #include "pbrt/util/rng.h"
 #include "pbrt/util/sampling.h"
 
@@ -20,12 +20,12 @@ struct RayKind {
     void Append(const std::vector<Ray> &step) {
         rays.insert(rays.end(), step.begin(), step.end());
         for (size_t i = 0; i < step.size(); ++i) {
-            if (i % kWide == 0) {
+            if (i % kPacketSize == 0) {
                 packets.emplace_back();
                 active.push_back(0);
             }
-            packets.back().Set(int(i % kWide), step[i]);
-            active.back() |= 1u << i % kWide;
+            packets.back().Set(int(i % kPacketSize), step[i]);
+            active.back() |= 1u << i % kPacketSize;
         }
     }
 };
@@ -35,7 +35,7 @@ struct RayKind {
 /// light was drawn for. The bounces also sorted by octant.
 class RayKinds {
   public:
-    explicit RayKinds(const World &world) : world(world), rng(1) {
+    explicit RayKinds(const RenderScene &world) : world(world), rng(1) {
         const Point2i resolution = world.film.FullResolution();
         for (int batch = 0; batch < kBatches; ++batch)
             Trace({std::floor(rng.Uniform() * (resolution.x - 4)),
@@ -74,7 +74,7 @@ class RayKinds {
     void Scatter(const Ray &ray, std::vector<Ray> *next, std::vector<Ray> *shadows) {
         Hit hit;
         if (!world.accel->Intersect(ray, &hit)) return;
-        const SurfacePoint sp = world.Interact(hit, ray);
+        const SurfaceInteraction sp = world.SurfaceAt(hit, ray);
         const Normal3f n = Dot(sp.n, ray.d) > 0 ? -sp.n : sp.n;
         const LightSampleContext ctx{sp.p, n};
         const auto lambda = SampledWavelengths::SampleVisible(rng.Uniform());
@@ -91,7 +91,7 @@ class RayKinds {
         next->push_back({sp.OffsetOrigin(w), w, Infinity, ray.time});
     }
 
-    const World &world;
+    const RenderScene &world;
     Rng rng;
 };
 

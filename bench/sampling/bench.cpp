@@ -9,9 +9,9 @@
 
 #include "bench/sampling/cosine_lobe.h"
 #include "bench/stopwatch.h"
-#include "pbrt/cpu/build.h"
-#include "pbrt/cpu/render.h"
-#include "pbrt/cpu/tile.h"
+#include "pbrt/build/build_scene.h"
+#include "pbrt/render/render.h"
+#include "pbrt/render/tile.h"
 #include "pbrt/scene/parser.h"
 
 namespace pbrt::bench {
@@ -19,15 +19,15 @@ namespace {
 
 constexpr int kMostSamples = 256, kReferenceSeed = 1;
 
-std::unique_ptr<World> Load(const char *fileName, int spp, int seed) {
+std::unique_ptr<RenderScene> Load(const char *fileName, int spp, int seed) {
     Diagnostics log;
-    Description scene;
+    SceneDescription scene;
     scene.options.seed = seed;
     ParseFiles({fileName}, scene, log);
     Overrides overrides;
     overrides.spp = spp;
     overrides.film.quick = true;
-    auto world = BuildWorld(scene, overrides, log);
+    auto world = BuildScene(scene, overrides, log);
     for (const Message &m : log.Messages())
         std::fprintf(stderr, "%s\n", m.text.c_str());
     if (!world) std::exit(1);
@@ -36,7 +36,7 @@ std::unique_ptr<World> Load(const char *fileName, int spp, int seed) {
 
 /// On this thread.
 template <typename Scattering>
-void RenderAlone(World &world) {
+void RenderAlone(RenderScene &world) {
     RayCounts rays;
     std::visit(
         [&]<typename SamplerT>(const SamplerT &sampler) {
@@ -47,7 +47,7 @@ void RenderAlone(World &world) {
         world.sampler);
 }
 
-std::vector<double> Values(const World &world) {
+std::vector<double> Values(const RenderScene &world) {
     const PixelBounds b = world.film.Bounds();
     std::vector<double> values;
     for (int i = 0; i < b.Area(); ++i) {
@@ -86,9 +86,9 @@ void Run(const char *fileName, int referenceSamples) {
     Render(*world, 0, [](int64_t, int64_t) { return true; });
     const std::vector<double> reference = Values(*world);
     std::printf("way,spp,seconds,rms_error\n");
-    Measure<BSDFAsItIs>(fileName, "model", LightStrategy::Both, reference);
+    Measure<DefaultScattering>(fileName, "model", LightStrategy::Both, reference);
     Measure<FeathersByCosine>(fileName, "cosine lobe", LightStrategy::Both, reference);
-    Measure<BSDFAsItIs>(fileName, "lights only", LightStrategy::LightsOnly, reference);
+    Measure<DefaultScattering>(fileName, "lights only", LightStrategy::LightsOnly, reference);
 }
 
 }  // namespace

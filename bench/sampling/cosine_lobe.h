@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pbrt/cpu/vertices.h"
+#include "pbrt/integrators/path/surface_vertices.h"
 #include "pbrt/util/sampling.h"
 
 namespace pbrt::bench {
@@ -21,8 +21,9 @@ class CosineLobe {
     std::optional<BSDFSample> Sample_f(Vector3f wo, float uc, Point2f u, TransportMode mode) const {
         const float gap = feather.GapFraction(wo);
         if (uc < gap)
-            return BSDFSample{SampledSpectrum(gap / std::abs(wo.z)), -wo, gap,
-                              BxDFFlags::Transmission | BxDFFlags::Specular | BxDFFlags::Gap};
+            return BSDFSample{
+                SampledSpectrum(gap / std::abs(wo.z)), -wo, gap,
+                BxDFFlags::Transmission | BxDFFlags::Specular | BxDFFlags::NullTransmission};
         const bool sameSide = (uc - gap) / (1 - gap) < kSameSide;
         Vector3f wi = SampleCosineHemisphere(u);
         if ((wo.z < 0) == sameSide) wi.z = -wi.z;
@@ -41,8 +42,8 @@ class CosineLobe {
 };
 
 /// For Vertices: feathers are drawn by the cosine lobe, all else as it is.
-struct FeathersByCosine : BSDFAsItIs {
-    using BSDFAsItIs::At;
+struct FeathersByCosine : DefaultScattering {
+    using DefaultScattering::At;
     static CosineLobe At(const FeatherBarbuleMaterial &feather, const TextureEvalContext &ctx,
                          SampledWavelengths &lambda) {
         return CosineLobe(feather.GetBxDF(ctx, lambda));

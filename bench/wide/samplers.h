@@ -30,14 +30,13 @@ void AddSampler(Stopwatch &watch, const std::string &name, S sampler) {
     });
     for (const bool mixed : {false, true})
         watch.Add(name + (mixed ? " wide, pixels mixed" : " wide"), calls, [=]() mutable {
-            WideFloat sum{};
+            FloatX16 sum{};
             sampler.StartBatch(pixels);
             for (int d = 0; d < kDimensions; ++d)
-                for (uint32_t i = 0; i < kPixels * kSamples; i += kWide) {
-                    const WideUint path = i + kLaneNumbers;
-                    const WidePoint2f u = mixed
-                                              ? sampler.Get2D(d, path % kPixels, path / kPixels)
-                                              : sampler.Get2D(d, path / kSamples, path % kSamples);
+                for (uint32_t i = 0; i < kPixels * kSamples; i += kPacketSize) {
+                    const UintX16 path = i + kLaneNumbers;
+                    const Point2fX16 u = mixed ? sampler.Get2D(d, path % kPixels, path / kPixels)
+                                               : sampler.Get2D(d, path / kSamples, path % kSamples);
                     sum += u.x + u.y;
                 }
             return double(sum[0]);

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "bench/stopwatch.h"
-#include "pbrt/shapes/interact_packet.h"
+#include "pbrt/shapes/surface_packet.h"
 #include "pbrt/util/rng.h"
 
 namespace pbrt::bench {
@@ -55,7 +55,7 @@ inline void AddSurface(Stopwatch &watch, const std::string &name, Rng &rng,
     work->shapes = std::move(list);
     work->hits.resize(kPackets);
     for (PacketHits &met : work->hits)
-        for (int i = 0; i < kWide; ++i) {
+        for (int i = 0; i < kPacketSize; ++i) {
             const size_t which = rng.Below(uint32_t(work->shapes.size()));
             met.shape[size_t(i)] = &work->shapes[which];
             met.hit.primitive[i] = rng.Below(uint32_t(
@@ -71,19 +71,19 @@ inline void AddSurface(Stopwatch &watch, const std::string &name, Rng &rng,
                  {h.t[i], h.u[i], h.v[i], h.geometry[i], h.primitive[i], h.instance[i]},
                  {Lane(met.o, i), Lane(met.d, i)}});
         }
-    const int calls = kPackets * kWide;
+    const int calls = kPackets * kPacketSize;
     watch.Add(name + " scalar", calls, [=] {
         float sum = 0;
         for (const One &one : work->ones) {
-            const SurfacePoint s = Interact(*one.shape, one.hit, one.ray);
+            const SurfaceInteraction s = SurfaceAt(*one.shape, one.hit, one.ray);
             sum += s.p.x + s.pError.y + s.n.z + s.ns.x + s.dpdus.x + s.uv.x;
         }
         return sum;
     });
     const auto wide = [=]<bool kWithTangents>(std::bool_constant<kWithTangents>) {
-        WideFloat sum{};
+        FloatX16 sum{};
         for (const PacketHits &met : work->hits) {
-            const SurfacePoints s = InteractPacket<kWithTangents>(met, kAllLanes);
+            const SurfaceInteractionX16 s = SurfacePacket<kWithTangents>(met, kAllLanes);
             sum += s.p.x + s.pError.y + s.n.z + s.ns.x;
             if constexpr (kWithTangents) sum += s.dpdus.x + s.uv.x;
         }

@@ -90,15 +90,15 @@ TEST(Alpha, ZeroIsInvisibleButLights) {
     std::vector<Geometry> geometries(1);
     geometries[0].shape = Square(0);
     geometries[0].alpha = 0.f;
-    geometries[0].passesLight = true;
+    geometries[0].hasNullTransmission = true;
     const Accel accel(geometries, 1, {}, {}, 1);
     EXPECT_FALSE(accel.Occluded(Down(0.1f, 0.2f)));
-    EXPECT_FALSE(accel.HasGaps());
+    EXPECT_FALSE(accel.HasNullTransmission());
     EXPECT_TRUE(SampleFrom(geometries[0].shape, 0, {0, 0, 2}, {0.3f, 0.4f}));
 }
 
 /// Passes 1 - (index + 1) / 1000.
-struct Thinning final : GapTransmittance {
+struct Thinning final : NullTransmission {
     static float Of(uint32_t geometry) { return 1 - float(geometry + 1) / 1000; }
     float operator()(const Hit &hit, const Ray &ray) const override {
         EXPECT_NEAR(ray(hit.t).z, float(hit.geometry) * 0.01f, 1e-4f);
@@ -112,12 +112,12 @@ TEST(Gaps, TransmittanceIsTheProductOverAnyNumberOfLayers) {
         double product = 1;
         for (int i = 0; i < layers; ++i) {
             geometries[size_t(i)].shape = Square(float(i) * 0.01f);
-            geometries[size_t(i)].passesLight = true;
+            geometries[size_t(i)].hasNullTransmission = true;
             product *= Thinning::Of(uint32_t(i));
         }
         geometries[size_t(layers)].shape = Sphere{Transform::Translate({0, 0, -50})};
         const Accel accel(geometries, uint32_t(geometries.size()), {}, {}, 2);
-        EXPECT_EQ(accel.HasGaps(), layers > 0);
+        EXPECT_EQ(accel.HasNullTransmission(), layers > 0);
         Rng rng(9);
         for (int i = 0; i < 200; ++i) {
             // Away from the diagonal, where either triangle may be met.
@@ -133,7 +133,7 @@ TEST(Gaps, TransmittanceIsTheProductOverAnyNumberOfLayers) {
 }
 
 TEST(Gaps, NothingPassesWhereALayerPassesNothing) {
-    struct Half final : GapTransmittance {
+    struct Half final : NullTransmission {
         float operator()(const Hit &hit, const Ray &) const override {
             return hit.geometry == 1 ? 0.f : 0.5f;
         }
@@ -141,7 +141,7 @@ TEST(Gaps, NothingPassesWhereALayerPassesNothing) {
     std::vector<Geometry> geometries(3);
     for (int i = 0; i < 3; ++i) {
         geometries[size_t(i)].shape = Square(float(i));
-        geometries[size_t(i)].passesLight = true;
+        geometries[size_t(i)].hasNullTransmission = true;
     }
     const Accel accel(geometries, 3, {}, {}, 1);
     EXPECT_EQ(accel.Transmittance(Down(0.5f, 0.2f), Half()), 0);
@@ -151,24 +151,24 @@ TEST(Gaps, NothingPassesWhereALayerPassesNothing) {
 }
 
 TEST(Gaps, ASpherePassesThroughBothWalls) {
-    struct Half final : GapTransmittance {
+    struct Half final : NullTransmission {
         float operator()(const Hit &, const Ray &) const override { return 0.5f; }
     };
     std::vector<Geometry> geometries(1);
     geometries[0].shape = Sphere{};
-    geometries[0].passesLight = true;
+    geometries[0].hasNullTransmission = true;
     const Accel accel(geometries, 1, {}, {}, 1);
     EXPECT_EQ(accel.Transmittance(Down(0.1f, 0.2f), Half()), 0.25f);
     EXPECT_EQ(accel.Transmittance({{0, 0, 0}, {0, 0, 1}}, Half()), 0.5f);
 }
 
 TEST(Gaps, AlphaComesBeforeGaps) {
-    struct Half final : GapTransmittance {
+    struct Half final : NullTransmission {
         float operator()(const Hit &, const Ray &) const override { return 0.5f; }
     };
     std::vector<Geometry> geometries(1);
     geometries[0].shape = Square(0);
-    geometries[0].passesLight = true;
+    geometries[0].hasNullTransmission = true;
     geometries[0].alpha = 0.4f;
     const Accel accel(geometries, 1, {}, {}, 1);
     Rng rng(2);

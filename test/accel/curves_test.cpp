@@ -82,7 +82,7 @@ TEST(Curves, ReportWhereTheyAreMet) {
         ray.o = at.p + (2 * v - 1) * at.radius * side - 3.f * ray.d;
         const auto hits = traced.HitsWith(ray, 0, segment);
         ASSERT_FALSE(hits.empty());
-        const SurfacePoint s = traced.At(hits[0], ray);
+        const SurfaceInteraction s = traced.At(hits[0], ray);
         EXPECT_NEAR(s.uv.y, v, 0.03f);
         EXPECT_LT(Length(s.p - at.p), 2 * at.radius);
         EXPECT_LT(Dot(s.n, ray.d), 0);
@@ -100,7 +100,7 @@ TEST(Curves, AreNotMetAgainByWhatLeavesThem) {
         const Ray ray{RandomPoint(rng, 1) + Vector3f{0, 0, -3}, {0, 0, 1}};
         Hit hit;
         if (!traced.accel->Intersect(ray, &hit)) continue;
-        const SurfacePoint s = traced.At(hit, ray);
+        const SurfaceInteraction s = traced.At(hit, ray);
         const Vector3f w = Normalize(s.n + 0.9f * RandomDirection(rng));
         ++left;
         again += !traced.HitsWith({s.OffsetOrigin(w), w}, 0, hit.primitive).empty();

@@ -91,8 +91,8 @@ void ExpectEqual(const std::vector<Transform> &places, float time, const Instanc
         ++hits;
         const Transform &t = places[a.instance];
         const Ray local{t.Inverse().Point(ray.o), t.Inverse().Vector(ray.d)};
-        const SurfacePoint s = FromInstance(t, Interact(all[a.geometry].shape, a, local));
-        const SurfacePoint c = Interact(copies[b.geometry].shape, b, ray);
+        const SurfaceInteraction s = FromInstance(t, SurfaceAt(all[a.geometry].shape, a, local));
+        const SurfaceInteraction c = SurfaceAt(copies[b.geometry].shape, b, ray);
         ExpectNear(s.p, c.p, 2e-4f);
         EXPECT_GT(Dot(s.n, c.n), 0.9999f);
         EXPECT_GT(Dot(s.ns, c.ns), 0.999f);
@@ -142,7 +142,8 @@ void ExpectLeft(const Instance &instance, float time) {
         Hit hit;
         if (!accel.Intersect(ray, &hit)) continue;
         const Ray local{t.Inverse().Point(ray.o), t.Inverse().Vector(ray.d)};
-        const SurfacePoint s = FromInstance(t, Interact(models[hit.geometry].shape, hit, local));
+        const SurfaceInteraction s =
+            FromInstance(t, SurfaceAt(models[hit.geometry].shape, hit, local));
         Vector3f w = FaceForward(RandomDirection(rng), s.n);
         const float cosTheta = Dot(w, s.n);
         if (cosTheta < 0.01f) continue;

@@ -62,7 +62,7 @@ std::vector<Geometry> OfAllKinds(Rng &rng, bool cutOut, bool gaps) {
     for (Shape &shape : shapes) {
         Geometry g;
         g.shape = std::move(shape);
-        g.passesLight = gaps && rng.Below(8) != 0;
+        g.hasNullTransmission = gaps && rng.Below(8) != 0;
         if (cutOut && rng.Below(2) == 0)
             g.alpha =
                 rng.Below(2) == 0 ? FloatTexture(0.6f) : FloatTexture(std::make_shared<AlongV>());
@@ -117,7 +117,7 @@ LaneBits RandomLanes(Rng &rng) {
 RayPacket PacketOf(Rng &rng, LaneBits active, Ray *rays) {
     RayPacket packet;
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    for (int i = 0; i < kWide; ++i) {
+    for (int i = 0; i < kPacketSize; ++i) {
         rays[i] = active >> i & 1 ? RandomRay(rng) : Ray{{nan, nan, nan}, {nan, 0, nan}, nan, nan};
         packet.Set(i, rays[i]);
     }
@@ -127,8 +127,8 @@ RayPacket PacketOf(Rng &rng, LaneBits active, Ray *rays) {
 constexpr float kUntouched = -7;
 
 HitPacket UntouchedHits() {
-    const WideFloat f = Broadcast16(kUntouched);
-    const WideUint u = WideUint{} + 77;
+    const FloatX16 f = Broadcast16(kUntouched);
+    const UintX16 u = UintX16{} + 77;
     return {f, f, f, u, u, u};
 }
 
@@ -157,13 +157,13 @@ Tally CompareHits(const Everything &scene, Rng &rng, int packets) {
     Tally tally;
     for (int k = 0; k < packets; ++k) {
         const LaneBits active = RandomLanes(rng);
-        Ray rays[kWide];
+        Ray rays[kPacketSize];
         const RayPacket packet = PacketOf(rng, active, rays);
         HitPacket hits = UntouchedHits();
         const auto coherence = Coherence(k % 3);
         const LaneBits found = scene.accel->Intersect(packet, active, &hits, coherence);
         EXPECT_EQ(found & ~active, 0u);
-        for (int i = 0; i < kWide; ++i) {
+        for (int i = 0; i < kPacketSize; ++i) {
             if (!(found >> i & 1)) ExpectUntouched(hits.At(i));
             if (!(active >> i & 1)) continue;
             Hit single;
@@ -193,7 +193,7 @@ TEST(Packets, AreStoppedByWhatStopsSingleRays) {
         Tally tally;
         for (int k = 0; k < 1000; ++k) {
             const LaneBits active = RandomLanes(rng);
-            Ray rays[kWide];
+            Ray rays[kPacketSize];
             const RayPacket packet = PacketOf(rng, active, rays);
             const LaneBits blocked = scene.accel->Occluded(packet, active);
             EXPECT_EQ(blocked & ~active, 0u);
@@ -209,7 +209,7 @@ TEST(Packets, AreStoppedByWhatStopsSingleRays) {
 }
 
 /// Depends on everything that a call is told.
-struct Gaps final : GapTransmittance {
+struct Gaps final : NullTransmission {
     float operator()(const Hit &hit, const Ray &ray) const override {
         const float p = ray(hit.t).x + ray.time + float(hit.geometry) + float(hit.instance % 16);
         return hit.geometry % 8 == 0 ? 0 : 0.6f + 0.3f * std::sin(p);
@@ -223,11 +223,11 @@ TEST(Packets, PassWhatSingleRaysPass) {
         int partly = 0, differ = 0;
         for (int k = 0; k < 1000; ++k) {
             const LaneBits active = RandomLanes(rng);
-            Ray rays[kWide];
+            Ray rays[kPacketSize];
             const RayPacket packet = PacketOf(rng, active, rays);
-            WideFloat passed = Broadcast16(kUntouched);
+            FloatX16 passed = Broadcast16(kUntouched);
             scene.accel->Transmittance(packet, active, Gaps(), &passed);
-            for (int j = 0; j < kWide; ++j) {
+            for (int j = 0; j < kPacketSize; ++j) {
                 if (!(active >> j & 1)) {
                     EXPECT_EQ(passed[j], kUntouched);
                     continue;

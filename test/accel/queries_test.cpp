@@ -18,13 +18,13 @@ TEST(Accel, FindsTheNearestOfTriangleAndSphere) {
     EXPECT_EQ(hit.geometry, 1u);
     EXPECT_EQ(hit.instance, ~0u);
     EXPECT_FLOAT_EQ(hit.t, 4);
-    const SurfacePoint s = Interact(geometries[1].shape, hit, ray);
+    const SurfaceInteraction s = SurfaceAt(geometries[1].shape, hit, ray);
     EXPECT_EQ(s.n, (Normal3f{0, 0, -1}));
     EXPECT_FLOAT_EQ(s.p.z, 1);
     const Ray beside{{1.5f, 0, -3}, {0, 0, 1}};
     ASSERT_TRUE(accel.Intersect(beside, &hit));
     EXPECT_EQ(hit.geometry, 0u);
-    EXPECT_EQ(Interact(geometries[0].shape, hit, beside).n, (Normal3f{0, 0, 1}));
+    EXPECT_EQ(SurfaceAt(geometries[0].shape, hit, beside).n, (Normal3f{0, 0, 1}));
     EXPECT_FALSE(accel.Intersect({{1.5f, 0, -3}, {0, 0, 1}, 7.9f}, &hit));
     EXPECT_TRUE(accel.Occluded(ray));
     EXPECT_FALSE(accel.Occluded({{50, 0, -3}, {0, 0, 1}}));
@@ -81,7 +81,7 @@ TEST(Accel, EveryHitNamesItsGeometryAndPrimitive) {
         if (!seen) continue;
         EXPECT_EQ(hit.geometry, i);
         EXPECT_EQ(hit.primitive, i % 5 == 0 ? 1u : 0u);
-        const SurfacePoint s = Interact(geometries[i].shape, hit, ray);
+        const SurfaceInteraction s = SurfaceAt(geometries[i].shape, hit, ray);
         // The point is put together from the corners or from the object's frame: eight roundings of
         // half an ulp of the largest number that takes part, the far corner, as a bound.
         const auto bound = [](float largest) {

@@ -8,7 +8,7 @@ namespace {
 
 /// Directions from 1e-6 above the tangent plane (a unit vector's rounding is 1e-7) to straight up,
 /// on both sides.
-Vector3f LeavingDirection(Rng &rng, const SurfacePoint &s) {
+Vector3f LeavingDirection(Rng &rng, const SurfaceInteraction &s) {
     const Frame frame = Frame::FromZ(s.n);
     Vector3f w = RandomDirection(rng);
     if (rng.Below(2) == 0) w.z *= RandomScale(rng, -6, 0);
@@ -33,7 +33,7 @@ Count MetAgain(const Traced &scene, int points, bool bothSides, Rng &rng) {
                 const Point3f from = on->p + RandomScale(rng, -2, 2) * RandomDirection(rng);
                 const Ray ray{from, on->p - from};
                 for (const Hit &hit : scene.HitsWith(ray, g, k)) {
-                    const SurfacePoint s = scene.At(hit, ray);
+                    const SurfaceInteraction s = scene.At(hit, ray);
                     for (int j = 0; j < 10; ++j) {
                         Vector3f w = LeavingDirection(rng, s);
                         if (!bothSides) w = FaceForward(w, s.n);
@@ -155,7 +155,7 @@ TEST(Reintersect, BentPatchesAboveTheirCurvature) {
             const Point3f from = on->p + RandomScale(rng, -2, 2) * RandomDirection(rng);
             const Ray ray{from, on->p - from};
             for (const Hit &hit : scene.HitsWith(ray, g, 0)) {
-                const SurfacePoint s = scene.At(hit, ray);
+                const SurfaceInteraction s = scene.At(hit, ray);
                 const Frame frame = Frame::FromZ(s.n);
                 // The patch stays within 12 degrees of each tangent plane.
                 Vector3f w = RandomDirection(rng);

@@ -17,7 +17,7 @@ class Traced {
   public:
     explicit Traced(std::vector<Geometry> list) : geometries(std::move(list)) {
         for (Geometry &g : geometries)
-            g.passesLight = true;
+            g.hasNullTransmission = true;
         accel.emplace(geometries, uint32_t(geometries.size()), std::span<const ObjectRange>(),
                       std::span<const Instance>(), 2);
         EXPECT_EQ(accel->Error(), "");
@@ -29,7 +29,7 @@ class Traced {
     }
 
     std::vector<Hit> AllHits(const Ray &ray) const {
-        struct Collect final : GapTransmittance {
+        struct Collect final : NullTransmission {
             std::vector<Hit> *hits;
             float operator()(const Hit &hit, const Ray &) const override {
                 hits->push_back(hit);
@@ -48,8 +48,8 @@ class Traced {
             if (h.geometry == geometry && h.primitive == primitive) hits.push_back(h);
         return hits;
     }
-    SurfacePoint At(const Hit &hit, const Ray &ray) const {
-        return Interact(geometries[hit.geometry].shape, hit, ray);
+    SurfaceInteraction At(const Hit &hit, const Ray &ray) const {
+        return SurfaceAt(geometries[hit.geometry].shape, hit, ray);
     }
 
     std::vector<Geometry> geometries;

@@ -6,21 +6,21 @@ namespace {
 
 class Energies : public BsdfTool {
   protected:
-    static Energy From(const std::string &material, double theta, double phi, int samples = 4096) {
-        return EnergyFrom(Read(material), Spherical(theta, phi), MiddleWavelengths(8), samples);
+    static Albedo From(const std::string &material, double theta, double phi, int samples = 4096) {
+        return AlbedoFrom(Read(material), Spherical(theta, phi), MiddleWavelengths(8), samples);
     }
 };
 
 TEST_F(Energies, NothingIsLostWhereNothingIsAbsorbed) {
     for (const double theta : {0.0, 50.0, 120.0}) {
-        const Energy white = From("Material \"diffuse\" \"rgb reflectance\" [1 1 1]", theta, 0);
+        const Albedo white = From("Material \"diffuse\" \"rgb reflectance\" [1 1 1]", theta, 0);
         EXPECT_NEAR(white.Absorbed(), 0, 1e-5);
-        EXPECT_EQ(Energy::Mean(white.transmitted), 0);
+        EXPECT_EQ(Albedo::Mean(white.transmitted), 0);
         for (const char *glass : {"Material \"dielectric\"",
                                   "Material \"dielectric\" \"spectrum eta\" \"glass-BK7\""}) {
-            const Energy e = From(glass, theta, 0);
-            EXPECT_NEAR(Energy::Mean(e.reflected) + Energy::Mean(e.transmitted), 1, 1e-4) << glass;
-            EXPECT_GT(Energy::Mean(e.reflected), 0.03);
+            const Albedo e = From(glass, theta, 0);
+            EXPECT_NEAR(Albedo::Mean(e.reflected) + Albedo::Mean(e.transmitted), 1, 1e-4) << glass;
+            EXPECT_GT(Albedo::Mean(e.reflected), 0.03);
         }
     }
 }
@@ -28,9 +28,9 @@ TEST_F(Energies, NothingIsLostWhereNothingIsAbsorbed) {
 TEST_F(Energies, PartsOfAFeatherSumToTheWhole) {
     for (const double theta : {10.0, 60.0, 115.0}) {
         const double phi = theta < 90 ? 20 : 200;
-        const Energy e = From(kFeather + " \"float spacing\" 2.5", theta, phi);
-        EXPECT_NEAR(Energy::Mean(e.R) + Energy::Mean(e.TRT),
-                    Energy::Mean(e.reflected) + Energy::Mean(e.transmitted), 1e-6);
+        const Albedo e = From(kFeather + " \"float spacing\" 2.5", theta, phi);
+        EXPECT_NEAR(Albedo::Mean(e.R) + Albedo::Mean(e.TRT),
+                    Albedo::Mean(e.reflected) + Albedo::Mean(e.transmitted), 1e-6);
         EXPECT_GT(e.gap, 0.1);
         EXPECT_GT(e.Absorbed(), 0);
         EXPECT_LT(e.error, 0.003);
@@ -55,19 +55,19 @@ TEST_F(Energies, MirrorFilmReturnsWhatTracingReturns) {
                          {" \"float spacing\" 2.5", 0, 0, .2454, .6671},
                          {" \"float aspect\" 1", 50, 0, 0, .9128}};
     for (const Row &row : table) {
-        const Energy e = From(mirror + row.more, row.theta, row.phi, 1 << 14);
+        const Albedo e = From(mirror + row.more, row.theta, row.phi, 1 << 14);
         // The film reflects all but 1e-5 (it is a third of a turn thick); sampling errs by 0.1 %.
-        EXPECT_NEAR(Energy::Mean(e.R), row.reflected, 0.003) << row.more << row.theta;
+        EXPECT_NEAR(Albedo::Mean(e.R), row.reflected, 0.003) << row.more << row.theta;
         EXPECT_NEAR(e.gap, row.gap, 0.002) << row.more << row.theta;
-        EXPECT_EQ(Energy::Mean(e.TRT), 0);
+        EXPECT_EQ(Albedo::Mean(e.TRT), 0);
     }
 }
 
 TEST_F(Energies, ErrorIsHonest) {
-    const Energy few = From(kFeather, 30, 0, 64), many = From(kFeather, 30, 0, 1 << 14);
+    const Albedo few = From(kFeather, 30, 0, 64), many = From(kFeather, 30, 0, 1 << 14);
     EXPECT_LT(many.error, few.error / 4);
     // Eight shifts make Student's t with 7 degrees of freedom: 5.4 is passed once in 1000.
-    EXPECT_LT(std::abs(Energy::Mean(few.reflected) - Energy::Mean(many.reflected)),
+    EXPECT_LT(std::abs(Albedo::Mean(few.reflected) - Albedo::Mean(many.reflected)),
               5.4 * few.error);
 }
 

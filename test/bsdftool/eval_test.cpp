@@ -111,7 +111,7 @@ TEST_F(Eval, AgreesWithTheModelInDouble) {
             const auto view = exact.SeenFrom(wo);
             const double near = inDouble ? 3e-6 : 1e-4, ofTRT = inDouble ? 3e-6 : 5e-3;
             const auto R = exact.R(view, wi), TRT = exact.TRT(view, wi);
-            EXPECT_NEAR(Numbers(line, "pdf")[0], exact.Pdf(view, wi), near) << line;
+            EXPECT_NEAR(Numbers(line, "pdf")[0], exact.PDF(view, wi), near) << line;
             EXPECT_NEAR(Numbers(line, "gap")[0], exact.GapFraction(wo), 1e-5) << line;
             for (size_t k = 0; k < 3; ++k) {
                 EXPECT_NEAR(Numbers(line, "R")[k], R[k], near * R[k]) << line;

@@ -35,8 +35,7 @@ TEST(Longitudinal, AgainstTheFormulaInDouble) {
             const double exact = ExactDensity(theta_i, theta_o, v);
             // The sines' and cosines' own rounding, 6e-8, against the width of the lobe.
             const double rounding = 6e-8 * 6 / std::sqrt(double(v));
-            EXPECT_NEAR(distribution.Density(At(theta_i), At(theta_o))[0] / exact, 1,
-                        1e-6 + rounding)
+            EXPECT_NEAR(distribution.PDF(At(theta_i), At(theta_o))[0] / exact, 1, 1e-6 + rounding)
                 << v << " " << theta_i << " " << theta_o;
         }
     }
@@ -50,7 +49,7 @@ TEST(Longitudinal, IsNormalised) {
             double sum = 0;
             for (int i = 0; i < n; ++i) {
                 const double theta = kPi * ((i + 0.5) / n - 0.5);
-                sum += distribution.Density(At(theta), At(theta_o))[0] * std::cos(theta);
+                sum += distribution.PDF(At(theta), At(theta_o))[0] * std::cos(theta);
             }
             EXPECT_NEAR(sum * kPi / n, 1, 2e-5) << v << " " << theta_o;
         }
@@ -90,7 +89,7 @@ TEST(TrimmedLogistic, AgainstTheFormulaInDouble) {
             const float x = Pi * (2 * (float(i) + 0.5f) / n - 1);
             const double e = std::exp(-std::abs(double(x)) / s);
             const double exact = e / (s * Sqr(1 + e)) / (cdf(kPi) - cdf(-kPi));
-            const float density = distribution.Density(Broadcast(x))[2];
+            const float density = distribution.PDF(Broadcast(x))[2];
             // Rounding of the exponent counts as often as it is large.
             const double tolerance = 1e-6 + 1e-7 * std::abs(x) / s;
             EXPECT_NEAR(density, exact, tolerance * exact + 1e-16 / s) << s << " " << x;

@@ -47,8 +47,9 @@ TYPED_TEST(EveryBxDF, FlagsTellTheTruth) {
             const auto s =
                 c.bxdf.Sample_f(wo, rng.Uniform(), rng.Uniform2D(), TransportMode::Radiance);
             if (s) {
-                EXPECT_EQ(
-                    uint8_t(s->flags) & ~uint8_t(flags | BxDFFlags::Gap | BxDFFlags::Specular), 0)
+                EXPECT_EQ(uint8_t(s->flags) &
+                              ~uint8_t(flags | BxDFFlags::NullTransmission | BxDFFlags::Specular),
+                          0)
                     << c;
                 const bool same = SameHemisphere(wo, s->wi);
                 EXPECT_EQ(IsReflective(s->flags), same) << c;

@@ -45,8 +45,8 @@ TEST(Barbule, IsReciprocal) {
     EXPECT_GT(lit, 10000);
 }
 
-// The row turned by pi about y is the same row, so above and below are not different. (Dealt rules
-// keep this within their error only: they give the two segments different points.)
+// The row turned by pi about y is the same row, so above and below are not different. (Interleaved
+// rules keep this within their error only: they give the two segments different points.)
 TEST(Barbule, IsTheSameFromBelow) {
     Dice dice(31);
     for (int k = 0; k < 10000; ++k) {
@@ -57,7 +57,7 @@ TEST(Barbule, IsTheSameFromBelow) {
         const auto a = barbule.f(view, wi), b = barbule.f(turned, wi2);
         for (int i = 0; i < 4; ++i)
             EXPECT_NEAR(a[i], b[i], 1e-9 * a[i]);
-        EXPECT_NEAR(barbule.Pdf(view, wi), barbule.Pdf(turned, wi2), 1e-9 * barbule.Pdf(view, wi));
+        EXPECT_NEAR(barbule.PDF(view, wi), barbule.PDF(turned, wi2), 1e-9 * barbule.PDF(view, wi));
         EXPECT_NEAR(barbule.GapFraction(wo), barbule.GapFraction(wo2), 1e-12);
     }
 }
@@ -68,7 +68,7 @@ TEST(Barbule, PdfIntegratesToOneMinusTheGap) {
         for (const Direction<double> &wo : kViews) {
             const auto view = barbule.SeenFrom(wo);
             const double integral =
-                OverTheSphere([&](Direction<double> wi) { return barbule.Pdf(view, wi); }, 4e-3);
+                OverTheSphere([&](Direction<double> wi) { return barbule.PDF(view, wi); }, 4e-3);
             const double gap = barbule.GapFraction(wo);
             EXPECT_NEAR(integral, 1 - (1 - view.pigmentChance) * gap, 3e-3)
                 << shape << " wo " << wo.x << " " << wo.y << " " << wo.z;
@@ -159,7 +159,7 @@ TEST(Barbule, SampleAgreesWithFAndPdf) {
         const auto s = barbule.Sample_f(view, float(dice.Uniform()), float(dice.Uniform()),
                                         float(dice.Uniform()));
         if (!s || s->isGap) continue;
-        EXPECT_EQ(s->pdf, barbule.Pdf(view, s->wi));
+        EXPECT_EQ(s->pdf, barbule.PDF(view, s->wi));
         EXPECT_EQ(s->f, barbule.f(view, s->wi));
         EXPECT_NEAR(Dot(s->wi, s->wi), 1, 1e-5);
     }

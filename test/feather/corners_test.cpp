@@ -73,7 +73,7 @@ TYPED_TEST(Corners, FAndPdfAreFinite) {
                             wrong += !(gap >= 0 && gap <= 1);
                             for (std::size_t i = o % 4; i < HardDirections().size(); i += 4) {
                                 const auto wi = Rounded<T>(HardDirections()[i]);
-                                const T pdf = barbule.Pdf(view, wi);
+                                const T pdf = barbule.PDF(view, wi);
                                 wrong += !(pdf >= 0 && std::isfinite(pdf));
                                 wrong += !Sound(barbule.f(view, wi));
                                 ++evaluated;
@@ -117,10 +117,10 @@ TYPED_TEST(Corners, BelowTheGuardNothingScatters) {
     for (T z : {T(0), T(1e-13), T(-1e-13)}) {
         const auto view = barbule.SeenFrom({1, 0, z});
         EXPECT_FALSE(barbule.Sample_f(view, T(.3), T(.3), T(.3)));
-        EXPECT_EQ(barbule.Pdf(view, {0, 0, 1}), 0);
+        EXPECT_EQ(barbule.PDF(view, {0, 0, 1}), 0);
         EXPECT_EQ(barbule.f(view, {0, 0, 1}), (std::array<T, 4>{}));
         const auto above = barbule.SeenFrom({0, 0, 1});
-        EXPECT_EQ(barbule.Pdf(above, {1, 0, z}), 0);
+        EXPECT_EQ(barbule.PDF(above, {1, 0, z}), 0);
         EXPECT_EQ(barbule.f(above, {1, 0, z}), (std::array<T, 4>{}));
     }
 }
@@ -130,7 +130,7 @@ TYPED_TEST(Corners, AStraightRowIsTheLeastOpening) {
     const auto straight = BarbuleOf<T>({.opening = 0}), least = BarbuleOf<T>({.opening = 1e-3});
     const auto wo = Rounded<T>(Spherical(30, 20)), wi = Rounded<T>(Spherical(40, 200));
     EXPECT_EQ(straight.f(straight.SeenFrom(wo), wi), least.f(least.SeenFrom(wo), wi));
-    EXPECT_EQ(straight.Pdf(straight.SeenFrom(wo), wi), least.Pdf(least.SeenFrom(wo), wi));
+    EXPECT_EQ(straight.PDF(straight.SeenFrom(wo), wi), least.PDF(least.SeenFrom(wo), wi));
 }
 
 // Energy near grazing in float, where conservation is not asked for to the last digit.

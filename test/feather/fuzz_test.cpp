@@ -66,7 +66,7 @@ class Fuzz : public testing::Test {
                                     : dice.Uniform() < 0.05 ? -view.wo
                                                             : AnyDirection();
         const Model::Spectrum f = model.f(view, wi);
-        const float pdf = model.Pdf(view, wi);
+        const float pdf = model.PDF(view, wi);
         if (!Sound(f)) return "f";
         if (!Sound(pdf)) return "PDF";
         const auto s = model.Sample_f(view, AnyNumber(), AnyNumber(), AnyNumber());
@@ -74,7 +74,7 @@ class Fuzz : public testing::Test {
         if (!Sound(s->f) || !Sound(s->pdf) || s->pdf == 0) return "sample's f or PDF";
         if (std::abs(Dot(s->wi, s->wi) - 1) > 1e-4f || s->wi.z == 0) return "sample's direction";
         if (s->isGap) return nullptr;
-        if (s->pdf != model.Pdf(view, s->wi)) return "sample's PDF is not PDF of its direction";
+        if (s->pdf != model.PDF(view, s->wi)) return "sample's PDF is not PDF of its direction";
         if (!SameBits(s->f, model.f(view, s->wi))) return "sample's f is not f of its direction";
         return nullptr;
     }
@@ -117,7 +117,7 @@ class Fuzz : public testing::Test {
             const auto all = barbules.SideBySide();
             const View<V> view = all.SeenFrom(wo);
             const auto f = all.f(view, wi);
-            const V pdf = all.Pdf(view, wi);
+            const V pdf = all.PDF(view, wi);
             const auto drawn = all.Draw(view, u[0], u[1], u[2]);
             const uint32_t grazing = BitsOf(view.grazing);
             for (int k = 0; k < kLanes; ++k) {

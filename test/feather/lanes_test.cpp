@@ -39,7 +39,7 @@ TEST(Lanes, InDoubleAreAsOneByOne) {
         const auto wo = AnyDirections<double>(dice), wi = AnyDirections<double>(dice);
         const auto view = all.SeenFrom(wo);
         const auto f = all.f(view, wi), R = all.R(view, wi), TRT = all.TRT(view, wi);
-        const V pdf = all.Pdf(view, wi);
+        const V pdf = all.PDF(view, wi);
         for (int k = 0; k < kLanes; ++k) {
             const auto &one = barbules.One(k);
             const auto oneView = one.SeenFrom(Lane(wo, k));
@@ -51,7 +51,7 @@ TEST(Lanes, InDoubleAreAsOneByOne) {
                 EXPECT_NEAR(R[i][k], expectedR[i], 1e-10 * expectedR[i]);
                 EXPECT_NEAR(TRT[i][k], expectedTRT[i], 1e-10 * expectedTRT[i]);
             }
-            EXPECT_NEAR(pdf[k], one.Pdf(oneView, in), 1e-10 * pdf[k]);
+            EXPECT_NEAR(pdf[k], one.PDF(oneView, in), 1e-10 * pdf[k]);
             EXPECT_EQ(bool(BitsOf(view.grazing) >> k & 1), oneView.grazing);
         }
     }
@@ -94,7 +94,7 @@ TEST(Lanes, InFloatAreNearlyAsOneByOne) {
         const auto wo = AnyDirections<float>(dice), wi = AnyDirections<float>(dice);
         const auto view = all.SeenFrom(wo);
         const auto TRT = all.TRT(view, wi), R = all.R(view, wi);
-        const Lanes<float> pdf = all.Pdf(view, wi);
+        const Lanes<float> pdf = all.PDF(view, wi);
         for (int k = 0; k < kLanes; ++k, ++pairs) {
             const auto &one = barbules.One(k);
             const auto oneView = one.SeenFrom(Lane(wo, k));
@@ -111,7 +111,7 @@ TEST(Lanes, InFloatAreNearlyAsOneByOne) {
             const float mostR = *std::max_element(expectedR.begin(), expectedR.end());
             for (int i = 0; i < 4; ++i)
                 EXPECT_NEAR(R[i][k], expectedR[i], 1e-4f * mostR);
-            EXPECT_NEAR(pdf[k], one.Pdf(oneView, Lane(wi, k)), 1e-4f * pdf[k]);
+            EXPECT_NEAR(pdf[k], one.PDF(oneView, Lane(wi, k)), 1e-4f * pdf[k]);
         }
     }
     EXPECT_LE(others, pairs / 1000);

@@ -62,7 +62,7 @@ std::vector<double> Expected(const Case &c) {
     const auto density = [&](double theta, double phi) {
         const double s = std::sin(theta);
         return kDraws * s *
-               barbule.Pdf(view, {s * std::cos(phi), s * std::sin(phi), std::cos(theta)});
+               barbule.PDF(view, {s * std::cos(phi), s * std::sin(phi), std::cos(theta)});
     };
     for (int i = 0; i < kTheta; ++i)
         for (int j = 0; j < kPhi; ++j)

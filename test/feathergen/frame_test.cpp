@@ -9,7 +9,7 @@ namespace {
 
 /// What a ray straight down onto a place of the vane meets.
 struct Met {
-    SurfacePoint sp;
+    SurfaceInteraction sp;
     Frame frame;
 };
 
@@ -35,14 +35,14 @@ class Frames : public Grown {
         const Vector3f n = Rounded(at.Normal());
         return Meet(*world, {Rounded(at.p) + 0.02f * n, -n, 0.04f}, bankIndex);
     }
-    std::optional<Met> Meet(const World &in, const Ray &ray, int bankIndex) const {
+    std::optional<Met> Meet(const RenderScene &in, const Ray &ray, int bankIndex) const {
         Hit hit;
         if (!in.accel->Intersect(ray, &hit)) return {};
         const Geometry &geometry = in.geometries[hit.geometry];
         const auto *vane =
             std::get_if<FeatherBarbuleMaterial>(&in.materials[size_t(geometry.material)]);
         if (!vane) return {};
-        Met met{in.Interact(hit, ray), {}};
+        Met met{in.SurfaceAt(hit, ray), {}};
         const VaneGrid grid(*feather);
         if (met.sp.faceIndex / (grid.nAlong * grid.nAcross) != bankIndex) return {};
         met.frame = vane->TurnFrame(met.sp.ShadingFrame(), in.TextureContext(met.sp));
@@ -59,7 +59,7 @@ class Frames : public Grown {
     }
 
     std::optional<Feather> feather;
-    std::unique_ptr<World> world;
+    std::unique_ptr<RenderScene> world;
 };
 
 /// The analytic frame: z outwards; y along the barbules, which stand at `span` to the barb's

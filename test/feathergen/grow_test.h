@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pbrt/cpu/build.h"
+#include "pbrt/build/build_scene.h"
 #include "pbrt/feathergen/commands.h"
 #include "support/temp_folder.h"
 
@@ -26,13 +26,14 @@ class Grown : public TempFolder {
         return {std::istreambuf_iterator<char>(file), {}};
     }
     /// The scene that includes `name` of the folder after `before`, ready to be traced.
-    std::unique_ptr<World> Scene(const std::string &name, const std::string &before = "") const {
+    std::unique_ptr<RenderScene> Scene(const std::string &name,
+                                       const std::string &before = "") const {
         Diagnostics log;
-        Description scene;
+        SceneDescription scene;
         ParseString(
             "WorldBegin\nLightSource \"infinite\"\n" + before + "Include \"" + Path(name) + "\"\n",
             "test.pbrt", folder.string(), scene, log);
-        std::unique_ptr<World> world = BuildWorld(scene, {}, log);
+        std::unique_ptr<RenderScene> world = BuildScene(scene, {}, log);
         for (const Message &m : log.Messages())
             ADD_FAILURE() << m.text;
         return world;

@@ -19,13 +19,13 @@ std::vector<std::string> CoarseTo(const std::string &out) {
 }
 
 /// Instances that the ray meets, in order, each once.
-std::vector<uint32_t> InstancesAlong(const World &world, Ray ray) {
+std::vector<uint32_t> InstancesAlong(const RenderScene &world, Ray ray) {
     std::vector<uint32_t> met;
     Hit hit;
     while (world.accel->Intersect(ray, &hit) && hit.instance != ~0u) {
         if (std::find(met.begin(), met.end(), hit.instance) == met.end())
             met.push_back(hit.instance);
-        ray.o = world.Interact(hit, ray).OffsetOrigin(ray.d);
+        ray.o = world.SurfaceAt(hit, ray).OffsetOrigin(ray.d);
     }
     return met;
 }

@@ -90,14 +90,14 @@ TEST(LightPacket, EachLaneAsAlone) {
     Rng rng(2);
     int lit = 0;
     for (int round = 0; round < 4000; ++round) {
-        LightLanes which{};
-        WavelengthLanes lambda{};
+        LightPacket which{};
+        WavelengthPacket lambda{};
         std::vector<SampledWavelengths> wavelengths;
-        WideLightSampleContext ctx{};
-        WidePoint2f u{};
+        LightSampleContextX16 ctx{};
+        Point2fX16 u{};
         const size_t first = rng.Below(uint32_t(lights.Size()));
         const uint32_t count = round % 2 ? 1 : 1 + rng.Below(uint32_t(lights.Size() - first));
-        for (int i = 0; i < kWide; ++i) {
+        for (int i = 0; i < kPacketSize; ++i) {
             const Point2f a = rng.Uniform2D(), b = rng.Uniform2D();
             SetLane(&ctx.p, i, {8 * a.x - 4, 8 * a.y - 4, 8 * b.x - 4});
             SetLane(&u, i, rng.Uniform2D());
@@ -129,12 +129,12 @@ TEST(LightPacket, DensitiesOfSkies) {
     for (size_t k = lights.Size() - 2; k < lights.Size(); ++k) {
         const auto &sky = *std::get_if<ImageInfiniteLight>(&lights[k]);
         for (int round = 0; round < 500; ++round) {
-            WideVector3f w;
-            for (int i = 0; i < kWide; ++i)
+            Vector3fX16 w;
+            for (int i = 0; i < kPacketSize; ++i)
                 SetLane(&w, i, SampleUniformSphere(rng.Uniform2D()));
-            const WideFloat pdf = sky.PDF_Li(w);
+            const FloatX16 pdf = sky.PDF_Li(w);
             // On a texel's border rounding decides; these directions keep off.
-            for (int i = 0; i < kWide; ++i)
+            for (int i = 0; i < kPacketSize; ++i)
                 EXPECT_NEAR(pdf[i], sky.PDF_Li(Lane(w, i)), 1e-5f * pdf[i]);
         }
     }

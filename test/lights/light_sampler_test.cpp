@@ -85,9 +85,9 @@ TEST(EveryLightSampler, ServesSixteenReceiversAsEachAlone) {
     for (std::string_view name : kLightSamplerNames) {
         const LightSampler sampler = LightSampler::Create(name, mixed.lights);
         for (int round = 0; round < 200; ++round) {
-            WideLightSampleContext ctx;
-            WideFloat u;
-            for (int i = 0; i < kWide; ++i) {
+            LightSampleContextX16 ctx;
+            FloatX16 u;
+            for (int i = 0; i < kPacketSize; ++i) {
                 const LightSampleContext one = RandomReceiver(rng, 4);
                 SetLane(&ctx.p, i, one.p);
                 SetLane(&ctx.ns, i, one.ns);

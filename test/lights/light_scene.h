@@ -41,7 +41,7 @@ struct LightScene {
         return lights.at(0);
     }
 
-    Description scene;
+    SceneDescription scene;
     Diagnostics log;
     std::vector<Light> lights;
 };
@@ -64,7 +64,7 @@ struct AreaScene {
         return all;
     }
 
-    Description scene;
+    SceneDescription scene;
     Diagnostics log;
     Shape shape;
     std::vector<Light> lights;

@@ -33,9 +33,9 @@ std::vector<LightBounds> RandomLights(int n, float decades, uint64_t seed) {
 }
 
 /// A fourth of them take light from all sides.
-WideLightSampleContext RandomReceivers(Rng &rng, float size) {
-    WideLightSampleContext ctx{};
-    for (int i = 0; i < kWide; ++i) {
+LightSampleContextX16 RandomReceivers(Rng &rng, float size) {
+    LightSampleContextX16 ctx{};
+    for (int i = 0; i < kPacketSize; ++i) {
         SetLane(&ctx.p, i, RandomPoint(rng, size));
         if (rng.Below(4) != 0) SetLane(&ctx.ns, i, RandomDirection(rng));
     }
@@ -47,9 +47,9 @@ TEST(LightTree, SixteenReceiversAreServedAsEachAlone) {
     for (int n : {1, 2, 15, 16, 17, 40, 300, 5000}) {
         const LightTree tree(RandomLights(n, 2, uint64_t(n)));
         for (int round = 0; round < 300; ++round) {
-            const WideLightSampleContext ctx = RandomReceivers(rng, round % 2 ? 3 : 10);
-            WideFloat u;
-            for (int i = 0; i < kWide; ++i)
+            const LightSampleContextX16 ctx = RandomReceivers(rng, round % 2 ? 3 : 10);
+            FloatX16 u;
+            for (int i = 0; i < kPacketSize; ++i)
                 u[i] = rng.Below(8) == 0 ? OneMinusEpsilon : rng.Uniform();
             const LaneBits lanes = round % 3 == 0 ? kAllLanes : rng.Next32() & kAllLanes;
             ExpectAsEachAlone(tree, ctx, u, lanes);
@@ -66,9 +66,9 @@ TEST(LightTree, TakesLightsAtTheEndOfTheFloats) {
     const LightTree tree(lights);
     Rng rng(12);
     for (int round = 0; round < 300; ++round) {
-        const WideLightSampleContext ctx = RandomReceivers(rng, 3);
-        WideFloat u;
-        for (int i = 0; i < kWide; ++i)
+        const LightSampleContextX16 ctx = RandomReceivers(rng, 3);
+        FloatX16 u;
+        for (int i = 0; i < kPacketSize; ++i)
             u[i] = rng.Uniform();
         ExpectAsEachAlone(tree, ctx, u, kAllLanes);
     }
@@ -126,8 +126,8 @@ TEST(LightTree, DrawsByItsProbabilities) {
     Rng rng(3);
     const LightTree tree(RandomLights(200, 1, 5));
     for (int test = 0; test < kTests; ++test) {
-        WideLightSampleContext ctx = RandomReceivers(rng, 4);
-        for (int i = 1; i < kWide; ++i) {
+        LightSampleContextX16 ctx = RandomReceivers(rng, 4);
+        for (int i = 1; i < kPacketSize; ++i) {
             SetLane(&ctx.p, i, Lane(ctx.p, 0));
             SetLane(&ctx.ns, i, Lane(ctx.ns, 0));
         }
@@ -138,13 +138,13 @@ TEST(LightTree, DrawsByItsProbabilities) {
             expected[size_t(i)] = double(tree.PMF(ctx.At(0), i)) * kDraws;
             expected[200] -= expected[size_t(i)];
         }
-        for (int k = 0; k < kDraws; k += kWide) {
-            WideFloat u;
-            for (int i = 0; i < kWide; ++i)
+        for (int k = 0; k < kDraws; k += kPacketSize) {
+            FloatX16 u;
+            for (int i = 0; i < kPacketSize; ++i)
                 u[i] = rng.Uniform();
             const SampledLights drawn = tree.Sample(ctx, u, kAllLanes);
             ForEachLane(drawn.valid, [&](int i) { ++counts[size_t(drawn.light[size_t(i)])]; });
-            counts[200] += kWide - std::popcount(drawn.valid);
+            counts[200] += kPacketSize - std::popcount(drawn.valid);
         }
         // All tests together fail by chance with probability 0.001.
         EXPECT_GT(TestCounts(counts, expected).pValue, Sidak(0.001, kTests));
@@ -176,9 +176,9 @@ TEST(LightTree, NodesAreWellFilled) {
 TEST(LightTree, SixteenClustersAreWhatEachIsAlone) {
     Rng rng(4);
     const auto lights = RandomLights(1600, 2, 8);
-    for (size_t first = 0; first < lights.size(); first += kWide) {
-        ClusterOf<WideFloat> all;
-        for (int i = 0; i < kWide; ++i) {
+    for (size_t first = 0; first < lights.size(); first += kPacketSize) {
+        ClusterOf<FloatX16> all;
+        for (int i = 0; i < kPacketSize; ++i) {
             const ClusterOf<float> c = Cluster(lights[first + size_t(i)]);
             SetLane(&all.center, i, c.center);
             SetLane(&all.axis, i, c.axis);
@@ -186,8 +186,8 @@ TEST(LightTree, SixteenClustersAreWhatEachIsAlone) {
             all.cosTheta_e[i] = c.cosTheta_e, all.signedPower[i] = c.signedPower;
         }
         const LightSampleContext ctx = RandomReceivers(rng, 5).At(0);
-        const WideFloat importance = Importance(all, Receiver(ctx.p, ctx.ns));
-        for (int i = 0; i < kWide; ++i) {
+        const FloatX16 importance = Importance(all, Receiver(ctx.p, ctx.ns));
+        for (int i = 0; i < kPacketSize; ++i) {
             const float one = lights[first + size_t(i)].Importance(ctx.p, ctx.ns);
             // The fast root's error of 2^-14 counts four times, next to the margins of 1e-4 in the
             // cosines more.

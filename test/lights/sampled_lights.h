@@ -8,7 +8,7 @@ namespace pbrt::test {
 
 /// Sixteen draws of `lights` (a sampler or a tree) are, bit by bit, those of one receiver each.
 template <typename Lights>
-void ExpectAsEachAlone(const Lights &lights, const WideLightSampleContext &ctx, const WideFloat &u,
+void ExpectAsEachAlone(const Lights &lights, const LightSampleContextX16 &ctx, const FloatX16 &u,
                        LaneBits lanes) {
     const SampledLights drawn = lights.Sample(ctx, u, lanes);
     ASSERT_EQ(drawn.valid & ~lanes, 0u);

@@ -14,7 +14,7 @@ void ExpectClampedToSmooth(const std::string &type) {
     const Vector2f alpha = material.roughness.Alpha(AtUV(0.2f, 0.6f));
     EXPECT_EQ(alpha.x, 0);
     EXPECT_EQ(alpha.y, 0);
-    EXPECT_EQ(material.Remarks(),
+    EXPECT_EQ(material.Warnings(),
               type + " \"roughness\": 2 texture values outside [0, 1000000] clamped");
 }
 
@@ -31,7 +31,7 @@ TEST(Roughness, EachDirectionHasItsOwn) {
     const Vector2f alpha = made.As<ConductorMaterial>().roughness.Alpha(AtUV(0, 0));
     EXPECT_FLOAT_EQ(alpha.x, 0.5f);
     EXPECT_FLOAT_EQ(alpha.y, 0.6f);
-    EXPECT_EQ(made.As<ConductorMaterial>().Remarks(), "");
+    EXPECT_EQ(made.As<ConductorMaterial>().Warnings(), "");
 }
 
 }  // namespace

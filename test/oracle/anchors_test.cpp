@@ -134,7 +134,7 @@ TEST(Anchors, WhatScattersCanBeDrawn) {
         const auto view = barbule.SeenFrom(wo);
         const auto f = barbule.f(view, wi);
         if (*std::max_element(f.begin(), f.end()) > 0) {
-            EXPECT_GT(barbule.Pdf(view, wi), 0);
+            EXPECT_GT(barbule.PDF(view, wi), 0);
         }
     }
 }
@@ -150,7 +150,7 @@ TEST(Anchors, AlongTheBarbuleAllIsFinite) {
                  {feather::Direction<float>{0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0.6f, 0, -0.8f}}) {
                 for (const float x : barbule.f(view, wi))
                     EXPECT_TRUE(std::isfinite(x) && x >= 0);
-                EXPECT_TRUE(std::isfinite(barbule.Pdf(view, wi)));
+                EXPECT_TRUE(std::isfinite(barbule.PDF(view, wi)));
             }
             EXPECT_FALSE(barbule.Sample_f(view, 0.3f, 0.4f, 0.6f));
         }

@@ -8,7 +8,7 @@ namespace pbrt::oracle {
 namespace {
 
 const AiryFilm kFilm{520, 650, 1.532 + 5890.0 / (520 * 520)};  // nm; S-sec.1's, of keratin
-const CurvedFilm kWide{kFilm, 40e3}, kNarrow{kFilm, 4e3};
+const CurvedFilm kPacketSize{kFilm, 40e3}, kNarrow{kFilm, 4e3};
 
 /// Greatest difference from the flat film at angles of incidence between two bounds, degrees.
 double WorstDifference(const CurvedFilm &tube, double from, double to) {
@@ -24,8 +24,8 @@ double WorstDifference(const CurvedFilm &tube, double from, double to) {
 // S-sec.1: "almost no difference [...] except at near-grazing angles, where total internal
 // reflection happens", in figures. The flat film reflects 0.0254 to 0.1908 up to 75 degrees.
 TEST(CurvedFilm, FortyMicronsAreAsGoodAsFlat) {
-    EXPECT_LT(WorstDifference(kWide, 0, 55), 0.002);
-    EXPECT_LT(WorstDifference(kWide, 55, 75), 0.015);
+    EXPECT_LT(WorstDifference(kPacketSize, 0, 55), 0.002);
+    EXPECT_LT(WorstDifference(kPacketSize, 55, 75), 0.015);
 }
 
 TEST(CurvedFilm, FourMicronsDifferNearGrazingOnly) {
@@ -42,8 +42,8 @@ double OnsetOfTotalReflection(const CurvedFilm &tube) {
 
 TEST(CurvedFilm, DifferenceBeginsWithTotalReflection) {
     EXPECT_NEAR(OnsetOfTotalReflection(kNarrow), 64.3, 0.05);
-    EXPECT_NEAR(OnsetOfTotalReflection(kWide), 80.4, 0.05);
-    for (const CurvedFilm &tube : {kWide, kNarrow}) {
+    EXPECT_NEAR(OnsetOfTotalReflection(kPacketSize), 80.4, 0.05);
+    for (const CurvedFilm &tube : {kPacketSize, kNarrow}) {
         const double onset = OnsetOfTotalReflection(tube);
         EXPECT_GT(WorstDifference(tube, onset + 1, onset + 2),
                   3 * WorstDifference(tube, 0, onset - 1));
@@ -95,7 +95,7 @@ struct FollowedRay {
 };
 
 TEST(CurvedFilm, RaysLeaveInParallelAfterTheStatedPath) {
-    for (const CurvedFilm &tube : {kWide, kNarrow})
+    for (const CurvedFilm &tube : {kPacketSize, kNarrow})
         for (double axis = 0.05; axis < 1.55; axis += 0.1) {
             const TubeRay ray = RayWithAxis(tube, axis, 1);
             const FollowedRay followed(tube, ray.incidence);

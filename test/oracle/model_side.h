@@ -28,7 +28,7 @@ inline BentRow BentRowOf(const feather::Shape &s) {
 }
 
 /// The model of src/pbrt/feather in double at one wavelength, and what the twins need to know of
-/// it: integrals of its R, Pdf and TRT over bins of directions. None of it uses the model's own
+/// it: integrals of its R, PDF and TRT over bins of directions. None of it uses the model's own
 /// sampler.
 class ModelSide {
   public:
@@ -46,7 +46,7 @@ class ModelSide {
 
     struct Reflected {
         Estimate all;       ///< integral of R |wi.z|
-        Estimate facets;    ///< integral of Pdf; the melanin must be 0
+        Estimate facets;    ///< integral of PDF; the melanin must be 0
         Estimate mirrored;  ///< as `all`, for a film that reflects everything
         std::vector<Estimate> bins, facetBins;
     };
@@ -60,7 +60,7 @@ class ModelSide {
         std::mt19937_64 random(seed);
         for (int replicate = 0; replicate < kReplicates; ++replicate) {
             ForEachFacet(wo, random, samples, [&](Vec3 wi, double cosine, double dwi) {
-                const double r = R(wo, wi) * std::abs(wi.z) * dwi, pdf = Pdf(wo, wi) * dwi;
+                const double r = R(wo, wi) * std::abs(wi.z) * dwi, pdf = PDF(wo, wi) * dwi;
                 const double share = film.Reflectance(cosine);
                 tally.Add(0, r);
                 tally.Add(1, pdf);
@@ -78,7 +78,7 @@ class ModelSide {
         std::vector<DirectionBins::Ray> pilot;
         std::mt19937_64 random(1);
         ForEachFacet(wo, random, 20000, [&](Vec3 wi, double, double dwi) {
-            const double power = Pdf(wo, wi) * dwi;
+            const double power = PDF(wo, wi) * dwi;
             if (power > 0) pilot.push_back({wi, power});
         });
         return DirectionBins(std::move(pilot), azimuths, heights);
@@ -120,8 +120,8 @@ class ModelSide {
     double TRT(Vec3 wo, Vec3 wi) const {
         return model.TRT(model.SeenFrom(ToModel(wo)), ToModel(wi))[0];
     }
-    double Pdf(Vec3 wo, Vec3 wi) const {
-        return model.Pdf(model.SeenFrom(ToModel(wo)), ToModel(wi));
+    double PDF(Vec3 wo, Vec3 wi) const {
+        return model.PDF(model.SeenFrom(ToModel(wo)), ToModel(wi));
     }
 
     const Model &Barbule() const { return model; }

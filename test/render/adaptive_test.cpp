@@ -1,6 +1,6 @@
 // --target-error: fewer samples where a picture is clean, and how far its mean is off for that.
 
-#include "pbrt/cpu/adaptive.h"
+#include "pbrt/render/adaptive.h"
 
 #include "pbrt/util/rng.h"
 #include "render_text.h"
@@ -36,12 +36,12 @@ struct Adapted {
 
 Adapted RenderTo(const std::string &text, float targetError, int seed, int nThreads = 0) {
     Diagnostics log;
-    Description scene;
+    SceneDescription scene;
     scene.options.seed = seed;
     ParseString(text, "test.pbrt", ".", scene, log);
     Overrides overrides;
     overrides.targetError = targetError;
-    const auto world = BuildWorld(scene, overrides, log);
+    const auto world = BuildScene(scene, overrides, log);
     EXPECT_TRUE(world);
     if (!world) return {};
     const auto stats = Render(*world, nThreads, [](int64_t, int64_t) { return true; });

@@ -1,4 +1,5 @@
-// Closed scenes whose radiance is known to be 1 everywhere (as PBRT_FORMAT 5.2, AnalyticTestScenes).
+// Closed scenes whose radiance is known to be 1 everywhere (as PBRT_FORMAT 5.2,
+// AnalyticTestScenes).
 
 #include <fmt/format.h>
 
@@ -27,8 +28,9 @@ const std::vector<AnalyticScene> &Scenes() {
                  s += "LightSource \"point\" \"spectrum I\" [ 300 1 900 1 ] "
                       "\"float scale\" 0.785398163\n";
              return s;
-         }() + "Material \"diffuse\" \"spectrum reflectance\" [ 300 0.5 900 0.5 ]\n"
-               "ReverseOrientation Shape \"sphere\" \"float radius\" 1\n"},
+         }() +
+             "Material \"diffuse\" \"spectrum reflectance\" [ 300 0.5 900 0.5 ]\n"
+             "ReverseOrientation Shape \"sphere\" \"float radius\" 1\n"},
         {"EmissiveSphere",
          "AreaLightSource \"diffuse\" \"spectrum L\" [ 300 1 900 1 ] \"float scale\" 0.5\n"
          "Material \"diffuse\" \"spectrum reflectance\" [ 300 0.5 900 0.5 ]\n"

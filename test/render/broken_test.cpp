@@ -1,6 +1,6 @@
 // Mistakes that only plug-ins can see: every scene of broken/ says exactly what is expected.
 
-#include "pbrt/cpu/build.h"
+#include "pbrt/build/build_scene.h"
 #include "support/corpus.h"
 
 namespace pbrt {
@@ -12,9 +12,9 @@ class BrokenPlugin : public testing::TestWithParam<std::string> {};
 
 TEST_P(BrokenPlugin, SaysWhatIsExpected) {
     ExpectMessages(kFolder, GetParam(), [](const std::string &file, Diagnostics &log) {
-        Description scene;
+        SceneDescription scene;
         ParseFiles({file}, scene, log);
-        EXPECT_EQ(BuildWorld(scene, {}, log), nullptr);
+        EXPECT_EQ(BuildScene(scene, {}, log), nullptr);
     });
 }
 

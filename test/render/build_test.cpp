@@ -1,14 +1,14 @@
-// What BuildWorld makes of a description.
+// What BuildScene makes of a description.
 
 #include <gtest/gtest.h>
 
-#include "pbrt/cpu/build.h"
+#include "pbrt/build/build_scene.h"
 
 namespace pbrt {
 namespace {
 
 TEST(Build, MaterialsThatSayTheSameAreOne) {
-    Description scene;
+    SceneDescription scene;
     Diagnostics log;
     ParseString(R"(WorldBegin
         Material "diffuse" "rgb reflectance" [ .5 .2 .1 ] Shape "sphere"
@@ -22,7 +22,7 @@ TEST(Build, MaterialsThatSayTheSameAreOne) {
                 "test.pbrt", "", scene, log);
     ASSERT_EQ(log.ErrorCount(), 1);  // the undefined one
     log = {};
-    const std::unique_ptr<World> world = BuildWorld(scene, {}, log);
+    const std::unique_ptr<RenderScene> world = BuildScene(scene, {}, log);
     ASSERT_TRUE(world);
     std::vector<int> materials;
     for (const Geometry &g : world->geometries)

@@ -67,7 +67,7 @@ TEST(Render, DispersionKeepsTheMean) {
 
 TEST(Film, TerminatedWavelengthsDoNotCount) {
     Diagnostics log;
-    Description scene;
+    SceneDescription scene;
     Film film = Film::Create(scene, {}, log);
     SampledWavelengths lambda = SampledWavelengths::SampleVisible(0.3f);
     const SampledSpectrum one(1.f);

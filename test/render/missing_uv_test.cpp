@@ -24,10 +24,10 @@ class MissingUV : public TempFolder {
     /// What is said of a shape on line 3 or later of the file; `before` ends its line.
     std::string Said(const std::string &before, const std::string &shape) const {
         Diagnostics log;
-        Description scene;
+        SceneDescription scene;
         ParseString("WorldBegin LightSource \"infinite\"\n" + before + shape, "m.pbrt",
                     folder.string(), scene, log);
-        EXPECT_TRUE(BuildWorld(scene, {}, log));
+        EXPECT_TRUE(BuildScene(scene, {}, log));
         std::string all;
         for (const Message &m : log.Messages())
             all += m.text + "\n";

@@ -1,6 +1,6 @@
 // Pictures rendered in waves, and their error as it falls.
 
-#include "pbrt/cpu/mse_log.h"
+#include "pbrt/render/mse_log.h"
 
 #include <sstream>
 
@@ -19,10 +19,10 @@ constexpr char kScene[] =
     "Material \"diffuse\"\nShape \"bilinearmesh\" \"point3 P\" [ -9 -9 3  9 -9 3  -9 9 3  9 9 3 ]\n"
     "LightSource \"infinite\"\n";
 
-std::unique_ptr<World> Build(const std::string &text, Diagnostics &log) {
-    Description scene;
+std::unique_ptr<RenderScene> Build(const std::string &text, Diagnostics &log) {
+    SceneDescription scene;
     ParseString(text, "test.pbrt", ".", scene, log);
-    return BuildWorld(scene, {}, log);
+    return BuildScene(scene, {}, log);
 }
 
 bool GoOn(int64_t, int64_t) {

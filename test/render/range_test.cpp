@@ -19,10 +19,10 @@ std::string Scene(const std::string &world, const std::string &camera =
 /// The first error of a scene; empty where there is none.
 std::string Refusal(const std::string &text) {
     Diagnostics log;
-    Description scene;
+    SceneDescription scene;
     ParseString(text, "test.pbrt", ".", scene, log);
     EXPECT_FALSE(log.HasErrors()) << text;
-    const auto world = BuildWorld(scene, {}, log);
+    const auto world = BuildScene(scene, {}, log);
     EXPECT_EQ(world == nullptr, log.HasErrors());
     for (const Message &m : log.Messages())
         if (m.severity == Severity::Error) return m.text;

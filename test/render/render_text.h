@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "pbrt/cpu/build.h"
-#include "pbrt/cpu/render.h"
+#include "pbrt/build/build_scene.h"
+#include "pbrt/render/render.h"
 
 namespace pbrt::test {
 
@@ -21,12 +21,12 @@ struct RenderChanges {
 inline Image RenderText(const std::string &text, const RenderChanges &changes = {},
                         const std::string &dir = ".") {
     Diagnostics log;
-    Description scene;
+    SceneDescription scene;
     scene.options.seed = changes.seed;
     ParseString(text, "test.pbrt", dir, scene, log);
     Overrides overrides;
     overrides.spp = changes.spp;
-    const std::unique_ptr<World> world = BuildWorld(scene, overrides, log);
+    const std::unique_ptr<RenderScene> world = BuildScene(scene, overrides, log);
     for (const Message &m : log.Messages())
         if (m.severity == Severity::Error) ADD_FAILURE() << m.text;
     if (!world) return {};
@@ -40,8 +40,10 @@ inline std::array<double, 3> Mean(const Image &image) {
     const Point2i n = image.Resolution();
     for (int y = 0; y < n.y; ++y)
         for (int x = 0; x < n.x; ++x)
-            for (int c = 0; c < 3; ++c) sum[c] += image.Get({x, y}, c);
-    for (double &s : sum) s /= double(n.x) * n.y;
+            for (int c = 0; c < 3; ++c)
+                sum[c] += image.Get({x, y}, c);
+    for (double &s : sum)
+        s /= double(n.x) * n.y;
     return sum;
 }
 

@@ -3,9 +3,9 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "pbrt/cpu/build.h"
-#include "pbrt/cpu/render.h"
+#include "pbrt/build/build_scene.h"
 #include "pbrt/imgtool/tile_scores.h"
+#include "pbrt/render/render.h"
 #include "render/render_text.h"
 #include "support/folders.h"
 
@@ -39,13 +39,13 @@ TEST_P(Scenes, LookLikeTheirReference) {
     const Image reference = *ReadImage(folder + "reference.exr").value;
     const Image variance = *ReadImage(folder + "reference-variance.exr").value;
     Diagnostics log;
-    Description scene;
+    SceneDescription scene;
     scene.options.seed = kSeed;
     ParseFiles({folder + GetParam() + ".pbrt"}, scene, log);
     Overrides overrides;
     overrides.spp = kSpp;
     overrides.film.quick = true;
-    const std::unique_ptr<World> world = BuildWorld(scene, overrides, log);
+    const std::unique_ptr<RenderScene> world = BuildScene(scene, overrides, log);
     for (const Message &m : log.Messages())
         ADD_FAILURE() << m.text;
     ASSERT_TRUE(world);

@@ -22,7 +22,7 @@ std::string In(const std::string &space, const std::string &scene) {
 
 Camera CameraOf(const std::string &text) {
     Diagnostics log;
-    Description scene;
+    SceneDescription scene;
     ParseString(text, "test.pbrt", ".", scene, log);
     EXPECT_FALSE(log.HasErrors());
     return Camera::Create(scene, {32, 32}, log);

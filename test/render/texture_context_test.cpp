@@ -6,21 +6,21 @@
 namespace pbrt {
 namespace {
 
-std::unique_ptr<World> EmptyScene(const std::string &camera) {
+std::unique_ptr<RenderScene> EmptyScene(const std::string &camera) {
     Diagnostics log;
-    Description scene;
+    SceneDescription scene;
     ParseString("LookAt 3 1 -4  0 0 0  0 1 0\n" + camera +
                     "\nSampler \"independent\" \"integer pixelsamples\" 9\nWorldBegin\n",
                 "test.pbrt", ".", scene, log);
-    return BuildWorld(scene, {}, log);
+    return BuildScene(scene, {}, log);
 }
 
 /// One in four has parallel derivatives, which leave (du, dv) undetermined.
-SurfacePoint RandomPoint(Rng &rng) {
+SurfaceInteraction RandomPoint(Rng &rng) {
     const auto vector = [&] {
         return Vector3f{rng.Uniform() - 0.5f, rng.Uniform() - 0.5f, rng.Uniform() - 0.5f};
     };
-    SurfacePoint sp{};
+    SurfaceInteraction sp{};
     sp.p = vector();
     sp.n = Normalize(vector());
     sp.dpdu = vector();
@@ -39,13 +39,13 @@ void ExpectNear(Vector3f a, Vector3f b) {
     ExpectNear(a.z, b.z, Length(b));
 }
 
-void ExpectLanesAsOneByOne(const World &world) {
+void ExpectLanesAsOneByOne(const RenderScene &world) {
     Rng rng(7);
     for (int round = 0; round < 100; ++round) {
-        SurfacePoints points{};
-        for (int i = 0; i < kWide; ++i)
+        SurfaceInteractionX16 points{};
+        for (int i = 0; i < kPacketSize; ++i)
             SetLane(&points, i, RandomPoint(rng));
-        std::array<TextureEvalContext, kWide> contexts;
+        std::array<TextureEvalContext, kPacketSize> contexts;
         const LaneBits lanes = 0xbeef;
         world.TextureContexts(points, lanes, &contexts);
         ForEachLane(lanes, [&](int i) {

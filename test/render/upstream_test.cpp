@@ -38,10 +38,10 @@ TEST(Upstream, NamesAreToldToBeNotBuiltHere) {
                 ? fmt::format("\"{}\" \"float a\" 1", row.name)
                 : fmt::format("{} \"float {}\" 1", row.kind.substr(quote), row.name);
         Diagnostics log;
-        Description description;
+        SceneDescription description;
         ParseString(fmt::format(fmt::runtime(scene->second), plugIn), "test.pbrt", ".", description,
                     log);
-        EXPECT_EQ(BuildWorld(description, {}, log), nullptr);
+        EXPECT_EQ(BuildScene(description, {}, log), nullptr);
         std::string said;
         for (const Message &m : log.Messages())
             said += m.text + '\n';

@@ -36,14 +36,14 @@ void ExpectSameNumbers(S sampler, const std::vector<Point2i> &pixels, uint64_t s
     Rng rng(seed);
     for (int round = 0; round < 60; ++round) {
         const int dimension = int(rng.Below(round < 30 ? 20 : 1000));
-        WideUint pixel, index;
-        for (int i = 0; i < kWide; ++i) {
+        UintX16 pixel, index;
+        for (int i = 0; i < kPacketSize; ++i) {
             pixel[i] = rng.Below(uint32_t(pixels.size()));
             index[i] = rng.Below(uint32_t(sampler.SamplesPerPixel()));
         }
-        const WideFloat single = sampler.Get1D(dimension, pixel, index);
-        const WidePoint2f pair = sampler.Get2D(dimension, pixel, index);
-        for (int i = 0; i < kWide; ++i) {
+        const FloatX16 single = sampler.Get1D(dimension, pixel, index);
+        const Point2fX16 pair = sampler.Get2D(dimension, pixel, index);
+        for (int i = 0; i < kPacketSize; ++i) {
             const Point2i p = pixels[pixel[i]];
             alone.StartPixelSample(p, int(index[i]), dimension);
             ASSERT_EQ(single[i], alone.Get1D()) << dimension;
@@ -70,12 +70,12 @@ TEST(SamplerBatch, ASecondBatchForgetsTheFirst) {
             [](auto &s) {
                 auto fresh = s;
                 s.StartBatch(Pixels(40));
-                s.Get2D(5, kLaneNumbers, WideUint{});
+                s.Get2D(5, kLaneNumbers, UintX16{});
                 s.StartBatch(Pixels(20));
                 fresh.StartBatch(Pixels(20));
-                const WideFloat a = s.Get2D(5, kLaneNumbers, WideUint{}).y;
-                const WideFloat b = fresh.Get2D(5, kLaneNumbers, WideUint{}).y;
-                for (int i = 0; i < kWide; ++i)
+                const FloatX16 a = s.Get2D(5, kLaneNumbers, UintX16{}).y;
+                const FloatX16 b = fresh.Get2D(5, kLaneNumbers, UintX16{}).y;
+                for (int i = 0; i < kPacketSize; ++i)
                     EXPECT_EQ(a[i], b[i]);
             },
             sampler);
@@ -88,10 +88,10 @@ TEST(SamplerBatch, AnyIndexInLanesNotWanted) {
         std::visit(
             [](auto &s) {
                 s.StartBatch(Pixels(16));
-                const WideUint good{}, wild = Select(kLaneNumbers % 2 == 0, good, ~kLaneNumbers);
-                const WideFloat a = s.Get1D(3, kLaneNumbers, good),
-                                b = s.Get1D(3, kLaneNumbers, wild);
-                for (int i = 0; i < kWide; i += 2)
+                const UintX16 good{}, wild = Select(kLaneNumbers % 2 == 0, good, ~kLaneNumbers);
+                const FloatX16 a = s.Get1D(3, kLaneNumbers, good),
+                               b = s.Get1D(3, kLaneNumbers, wild);
+                for (int i = 0; i < kPacketSize; i += 2)
                     EXPECT_EQ(a[i], b[i]);
             },
             sampler);

@@ -13,7 +13,7 @@ class BrokenScene : public testing::TestWithParam<std::string> {};
 
 TEST_P(BrokenScene, SaysWhatIsExpected) {
     ExpectMessages(kFolder, GetParam(), [](const std::string &file, Diagnostics &log) {
-        Description scene;
+        SceneDescription scene;
         ParseFiles({file}, scene, log);
     });
 }

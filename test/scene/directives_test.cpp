@@ -1,4 +1,4 @@
-// What each directive puts into the Description.
+// What each directive puts into the SceneDescription.
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ TEST(Directives, SettingsOfThePictureLastOneWins) {
         Sampler "zsobol"
         WorldBegin)");
     EXPECT_EQ(parsed->Messages(), Texts{});
-    const Description &d = parsed->scene;
+    const SceneDescription &d = parsed->scene;
     EXPECT_EQ(d.accelerator.type, "bvh");
     EXPECT_EQ(d.accelerator.params.at(0).ints, std::vector<int>{2});
     EXPECT_EQ(d.camera.type, "perspective");
@@ -46,7 +46,7 @@ TEST(Directives, MaterialsAreCurrentUntilTheNext) {
         Material "dielectric"   Shape "e"
         MakeNamedMaterial "gold" "float roughness" 0.1 "string type" "conductor")");
     EXPECT_EQ(parsed->Messages(), Texts{});
-    const Description &d = parsed->scene;
+    const SceneDescription &d = parsed->scene;
     const std::vector<int> expected{-1, 0, 1, -1, 2};
     ASSERT_EQ(d.shapes.size(), 5u);
     for (size_t i = 0; i < 5; ++i)
@@ -131,7 +131,7 @@ TEST(Directives, ObjectsHoldShapesAndInstancesUseThem) {
         ObjectInstance "tree"
         Shape "ground")");
     EXPECT_EQ(parsed->Messages(), Texts{});
-    const Description &d = parsed->scene;
+    const SceneDescription &d = parsed->scene;
     ASSERT_EQ(d.shapes.size(), 1u);
     EXPECT_EQ(All(d.shapes)[0].material, -1);  // ObjectEnd restores the state
     ASSERT_EQ(d.objects.size(), 2u);
@@ -213,7 +213,7 @@ TEST(Directives, WhatIsUndefinedIsReportedOnceAndLeftOut) {
                      "test.pbrt:2:1: material \"none\" is not defined",
                      "test.pbrt:4:9: object \"missing\" is not defined",
                      "test.pbrt:3:25: object \"o\" contains itself"}));
-    const Description &d = parsed->scene;
+    const SceneDescription &d = parsed->scene;
     EXPECT_TRUE(d.objects.at("o").instances.empty());
     ASSERT_EQ(d.instances.size(), 1u);
     EXPECT_EQ(d.instances[0].name, "o");

@@ -117,11 +117,11 @@ TEST(Lexer, ReadsShortNumbersUpToAnythingElse) {
 }
 
 TEST(Lexer, ShowsLongTokensShortened) {
-    EXPECT_EQ(Shown({TokenKind::Word, 1, 1, "abc"}), "\"abc\"");
-    EXPECT_EQ(Shown({TokenKind::String, 1, 1, "abc"}), "the string \"abc\"");
-    EXPECT_EQ(Shown({TokenKind::End, 1, 1, ""}), "the end of the file");
+    EXPECT_EQ(Describe({TokenKind::Word, 1, 1, "abc"}), "\"abc\"");
+    EXPECT_EQ(Describe({TokenKind::String, 1, 1, "abc"}), "the string \"abc\"");
+    EXPECT_EQ(Describe({TokenKind::End, 1, 1, ""}), "the end of the file");
     const std::string longWord(100, 'x');
-    EXPECT_EQ(Shown({TokenKind::Word, 1, 1, longWord}), '"' + std::string(60, 'x') + "...\"");
+    EXPECT_EQ(Describe({TokenKind::Word, 1, 1, longWord}), '"' + std::string(60, 'x') + "...\"");
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ TEST(ParamDict, SingleValues) {
 TEST(ParamDict, DefaultsWhereNothingIsGiven) {
     Dict d("");
     EXPECT_EQ(d->GetOneFloat("f", 7), 7);
-    EXPECT_EQ(d->GetOneFloat(NumberRow{"f", "", 7, 0, 10, ""}), 7);
+    EXPECT_EQ(d->GetOneFloat(FloatParam{"f", "", 7, 0, 10, ""}), 7);
     EXPECT_EQ(d->GetOneInt("i", 7), 7);
     EXPECT_EQ(d->GetOneInt("i", 7, 0, 10), 7);
     EXPECT_TRUE(d->GetOneBool("b", true));
@@ -96,9 +96,9 @@ TEST(ParamDict, WrongCountsAreErrorsAndTheDefaultCounts) {
 }
 
 TEST(ParamDict, RangesAreClosedAndNameTheUnit) {
-    constexpr NumberRow kFov{"fov", "deg", 90, 1, 179, ""};
-    constexpr NumberRow kRadius{"radius", "mm", 1, 0, Infinity, ""};
-    constexpr NumberRow kGain{"gain", "", 1, -Infinity, 2, ""};
+    constexpr FloatParam kFov{"fov", "deg", 90, 1, 179, ""};
+    constexpr FloatParam kRadius{"radius", "mm", 1, 0, Infinity, ""};
+    constexpr FloatParam kGain{"gain", "", 1, -Infinity, 2, ""};
     Dict inside(R"("float fov" 179 "float radius" 0 "float gain" -5)");
     EXPECT_EQ(inside->GetOneFloat(kFov), 179);
     EXPECT_EQ(inside->GetOneFloat(kRadius), 0);

@@ -10,7 +10,7 @@ namespace pbrt {
 
 /// A scene read from text, with what was said about it.
 struct Parsed {
-    Description scene;
+    SceneDescription scene;
     Diagnostics log;
     std::vector<std::string> Messages() const {
         std::vector<std::string> texts;
@@ -33,7 +33,7 @@ inline std::unique_ptr<Parsed> ParseWorld(std::string_view text, std::string_vie
 
 /// A queue's entities, which stay in it.
 template <typename E>
-std::vector<E> All(const EntityQueue<E> &queue) {
+std::vector<E> All(const PackedEntities<E> &queue) {
     return {queue.begin(), queue.end()};
 }
 

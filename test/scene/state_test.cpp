@@ -7,7 +7,7 @@
 namespace pbrt {
 namespace {
 
-/// World-from-object of the only shape, at the shutter's start.
+/// RenderScene-from-object of the only shape, at the shutter's start.
 Transform ShapeTransform(const std::string &world, int time = 0) {
     const auto parsed = ParseWorld(world + "\nShape \"a\"");
     EXPECT_EQ(parsed->Messages(), Texts{}) << world;
@@ -194,7 +194,7 @@ TEST(State, AttributesFollowTheOwnParametersOfEachKind) {
         }
         return text;
     };
-    const Description &d = parsed->scene;
+    const SceneDescription &d = parsed->scene;
     EXPECT_EQ(names(All(d.shapes).at(0)), "own0a1b2a7");
     EXPECT_EQ(names(All(d.shapes).at(1)), "a1b2");
     EXPECT_EQ(names(d.lights.at(0)), "c3");

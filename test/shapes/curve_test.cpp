@@ -71,20 +71,20 @@ TEST(Curve, TransformsPlaceAndScale) {
 }
 
 /// A straight curve along x, radius 0.25, met at height y by a ray along +z.
-SurfacePoint StraightHit(CurveType type, float y, bool flip = false) {
+SurfaceInteraction StraightHit(CurveType type, float y, bool flip = false) {
     CurveSet c;
     for (int i = 0; i < 4; ++i)
         c.points.push_back({{float(i) / 3, 0, 0}, 0.25f});
     c.first = {0};
     c.type = type;
     c.flipNormal = flip;
-    return Interact(Shape(c), HitAt(2, 0.5f, 0), Ray{{0.5f, y, -2}, {0, 0, 1}});
+    return SurfaceAt(Shape(c), HitAt(2, 0.5f, 0), Ray{{0.5f, y, -2}, {0, 0, 1}});
 }
 
 TEST(Curve, FrameIsRightHandedAndFacesTheRay) {
     for (float y : {-0.2f, 0.f, 0.1f}) {
         for (CurveType type : {CurveType::Flat, CurveType::Cylinder}) {
-            const SurfacePoint s = StraightHit(type, y);
+            const SurfaceInteraction s = StraightHit(type, y);
             ExpectNear(s.n, Normalize(Cross(s.dpdu, s.dpdv)));
             EXPECT_LT(s.n.z, 0);
             EXPECT_FLOAT_EQ(Length(s.dpdv), 0.5f);
@@ -108,9 +108,9 @@ TEST(Curve, MirroredByItsTransform) {
         // Within the width: at its edge a cylinder's normal is at right angles to the ray.
         for (float y : {-0.1f, 0.f, 0.2f}) {
             const Ray ray{{0.5f, y, -2}, {0.1f, 0.05f, 1}};
-            const SurfacePoint a = Interact(straight, HitAt(2, 0.4f, 0), ray);
-            const SurfacePoint b =
-                Interact(mirrored, HitAt(2, 0.4f, 0), Ray{mirror(ray.o), mirror(ray.d)});
+            const SurfaceInteraction a = SurfaceAt(straight, HitAt(2, 0.4f, 0), ray);
+            const SurfaceInteraction b =
+                SurfaceAt(mirrored, HitAt(2, 0.4f, 0), Ray{mirror(ray.o), mirror(ray.d)});
             EXPECT_EQ(a.uv.x, b.uv.x);
             EXPECT_NEAR(a.uv.y, b.uv.y, 1e-6f);
             ExpectNear(b.n, mirror(a.n));
@@ -129,8 +129,8 @@ TEST(Curve, MirroredRibbonKeepsItsOutside) {
     const Shape straight = MakeOne(ribbon), mirrored = MakeOne("Scale 1 1 -1 " + ribbon);
     const auto mirror = [](Vector3f v) { return Vector3f{v.x, v.y, -v.z}; };
     for (uint32_t i = 0; i < NPrimitives(straight); ++i) {
-        const SurfacePoint a = Interact(straight, HitAt(1, 0.3f, 0.3f, i), Ray{});
-        const SurfacePoint b = Interact(mirrored, HitAt(1, 0.3f, 0.3f, i), Ray{});
+        const SurfaceInteraction a = SurfaceAt(straight, HitAt(1, 0.3f, 0.3f, i), Ray{});
+        const SurfaceInteraction b = SurfaceAt(mirrored, HitAt(1, 0.3f, 0.3f, i), Ray{});
         EXPECT_EQ(a.uv, b.uv);
         ExpectNear(b.p, mirror(a.p));
         ExpectNear(b.n, mirror(a.n));
@@ -141,7 +141,7 @@ TEST(Curve, MirroredRibbonKeepsItsOutside) {
 
 TEST(Curve, CylinderNormalTurnsEvenlyFromEdgeToEdge) {
     for (float v : {0.f, 0.2f, 0.5f, 0.9f, 1.f}) {
-        const SurfacePoint s = StraightHit(CurveType::Cylinder, 0.25f - 0.5f * v);
+        const SurfaceInteraction s = StraightHit(CurveType::Cylinder, 0.25f - 0.5f * v);
         const float angle = (v - 0.5f) * Pi;
         ExpectNear(s.n, {0, -std::sin(angle), -std::cos(angle)}, 1e-5f);
         EXPECT_EQ(s.n, s.ns);
@@ -161,7 +161,7 @@ TEST(Curve, RibbonHasTheNormalsGiven) {
                                       Vector3f{0, std::cos(angle), -std::sin(angle)});
     }
     for (uint32_t i = 0; i < mesh.NPrimitives(); ++i) {
-        const SurfacePoint s = Interact(shape, HitAt(1, 0.3f, 0.3f, i), Ray{});
+        const SurfaceInteraction s = SurfaceAt(shape, HitAt(1, 0.3f, 0.3f, i), Ray{});
         EXPECT_GT(Dot(s.n, Cross(s.dpdu, s.dpdv)), 0);
         EXPECT_GT(Dot(s.n, s.ns), 0.99f);
         EXPECT_GT(Dot(s.dpdu, Vector3f{1, 0, 0}), 2.9f);
@@ -169,7 +169,7 @@ TEST(Curve, RibbonHasTheNormalsGiven) {
 }
 
 TEST(Curve, LeavesByAWidthOnTheSideOfTheRay) {
-    const SurfacePoint s = StraightHit(CurveType::Cylinder, 0.1f);
+    const SurfaceInteraction s = StraightHit(CurveType::Cylinder, 0.1f);
     EXPECT_NEAR(Length(s.OffsetOrigin(s.n) - s.p), 0.5f, 1e-5f);
     EXPECT_GT(Dot(s.OffsetOrigin(s.n) - s.p, s.n), 0);
     EXPECT_LT(Dot(s.OffsetOrigin(-s.n) - s.p, s.n), 0);

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "pbrt/shapes/interact.h"
+#include "pbrt/shapes/surface.h"
 #include "pbrt/util/rng.h"
 #include "pbrt/util/sampling.h"
 
@@ -73,7 +73,7 @@ TEST(IntersectSphere, OriginsOnTheSurfaceKnowTheirSide) {
     }
 }
 
-/// Interact puts a hit back on the surface, whatever the transform.
+/// SurfaceAt puts a hit back on the surface, whatever the transform.
 TEST(IntersectQuadric, FindsWhatItsParametersDescribe) {
     Rng rng(3);
     const Sphere sphere{{}, 2, -1, 1.5f, 4, false};

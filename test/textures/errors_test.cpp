@@ -83,8 +83,8 @@ TEST(TextureErrors, ParametersAreChecked) {
 }
 
 /// Getters as materials use them.
-struct Asked {
-    Asked(const std::string &textures, ParsedParameters given) : scene(textures) {
+struct Request {
+    Request(const std::string &textures, ParsedParameters given) : scene(textures) {
         for (ParsedParameter &p : given)
             p.loc = p.valueLoc = {"m.pbrt", 1, 1};
         params.emplace(std::move(given), FileLoc{"m.pbrt", 1, 1}, "material \"test\"",
@@ -105,14 +105,14 @@ ParsedParameter Float(std::string name, float value) {
     return p;
 }
 
-constexpr NumberRow kRow{"roughness", "", 0.5f, 0, 1, ""};
+constexpr FloatParam kRow{"roughness", "", 0.5f, 0, 1, ""};
 
 TEST(TextureGetters, TakeTextureConstantOrDefault) {
-    Asked a(R"(Texture "t" "float" "checkerboard")", {Texture("roughness", "t")});
+    Request a(R"(Texture "t" "float" "checkerboard")", {Texture("roughness", "t")});
     EXPECT_FALSE(GetFloatTexture(*a.params, a.scene.named, kRow).IsConstant());
-    Asked b("", {Float("roughness", 0.25f)});
+    Request b("", {Float("roughness", 0.25f)});
     EXPECT_EQ(GetFloatTexture(*b.params, b.scene.named, kRow).Constant(), 0.25f);
-    Asked c("", {});
+    Request c("", {});
     EXPECT_EQ(GetFloatTexture(*c.params, c.scene.named, kRow).Constant(), 0.5f);
     EXPECT_FALSE(FindFloatTexture(*c.params, c.scene.named, "alpha").has_value());
     EXPECT_FALSE(FindSpectrumTexture(*c.params, c.scene.named, "reflectance", SpectrumType::Albedo)
@@ -121,18 +121,18 @@ TEST(TextureGetters, TakeTextureConstantOrDefault) {
 }
 
 TEST(TextureGetters, CheckTheRangeOfConstantsAndOfConstantTextures) {
-    Asked a("", {Float("roughness", 2)});
+    Request a("", {Float("roughness", 2)});
     EXPECT_EQ(GetFloatTexture(*a.params, a.scene.named, kRow).Constant(), 0.5f);
     EXPECT_NE(a.scene.Messages().find("outside [0, 1]"), std::string::npos);
-    Asked b(R"(Texture "t" "float" "constant" "float value" 3)", {Texture("roughness", "t")});
+    Request b(R"(Texture "t" "float" "constant" "float value" 3)", {Texture("roughness", "t")});
     EXPECT_EQ(GetFloatTexture(*b.params, b.scene.named, kRow).Constant(), 0.5f);
     EXPECT_EQ(b.scene.Messages(),
               "m.pbrt:1:1: \"roughness\" must lie in [0, 1], but its texture is 3 everywhere\n");
 }
 
 TEST(TextureGetters, BrightColoursAreNoAlbedos) {
-    Asked a(R"(Texture "t" "spectrum" "constant" "rgb value" [ 1 2 3 ])",
-            {Texture("reflectance", "t"), Texture("sigma_a", "t")});
+    Request a(R"(Texture "t" "spectrum" "constant" "rgb value" [ 1 2 3 ])",
+              {Texture("reflectance", "t"), Texture("sigma_a", "t")});
     EXPECT_EQ(a.scene.Messages(), "");
     EXPECT_TRUE(FindSpectrumTexture(*a.params, a.scene.named, "sigma_a", SpectrumType::Unbounded));
     EXPECT_EQ(a.scene.Messages(), "");

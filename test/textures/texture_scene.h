@@ -30,7 +30,7 @@ struct TextureScene {
         return named.Spectra(role).at(name);
     }
 
-    Description scene;
+    SceneDescription scene;
     Diagnostics log;
     NamedTextures named;
 };

@@ -13,7 +13,7 @@ TEST(AliasTable, ShareOfTheUnitIntervalIsTheProbability) {
     const int n = 1 << 16;
     std::array<double, 7> share{};
     for (int i = 0; i < n; ++i) {
-        const auto s = table.Draw((float(i) + 0.5f) / n);
+        const auto s = table.Sample((float(i) + 0.5f) / n);
         ASSERT_GT(weights[size_t(s.index)], 0);
         EXPECT_EQ(s.pmf, table.PMF(s.index));
         EXPECT_GE(s.u, 0);
@@ -32,7 +32,7 @@ TEST(AliasTable, LeftoverIsUniform) {
     const int n = 1 << 15;
     std::array<double, 5> sum{}, squares{}, count{};
     for (int i = 0; i < n; ++i) {
-        const auto s = table.Draw((float(i) + 0.5f) / n);
+        const auto s = table.Sample((float(i) + 0.5f) / n);
         const size_t k = size_t(s.index);
         sum[k] += s.u, squares[k] += Sqr(s.u), ++count[k];
     }
@@ -46,7 +46,7 @@ TEST(AliasTable, NothingButZerosIsUniform) {
     const AliasTable table(std::array<float, 4>{0, 0, 0, 0});
     for (int i = 0; i < 4; ++i) {
         EXPECT_EQ(table.PMF(i), 0.25f);
-        EXPECT_EQ(table.Draw(float(i) / 4).index, i);
+        EXPECT_EQ(table.Sample(float(i) / 4).index, i);
     }
 }
 

@@ -13,22 +13,22 @@ TEST(PiecewiseConstant1D, DrawIsTheInverseOfTheCumulatedFunction) {
     EXPECT_FLOAT_EQ(dist.Integral(), 8.f / 6);
     for (int i = 0; i < 4096; ++i) {
         const float u = float(i) / 4096;
-        const auto s = dist.Draw(u);
+        const auto s = dist.Sample(u);
         EXPECT_GT(f[size_t(s.step)], 0);
         EXPECT_FLOAT_EQ(s.pdf, f[size_t(s.step)] * 6 / 8);
         EXPECT_FLOAT_EQ(s.pdf, dist.PDF(s.x));
         EXPECT_NEAR(dist.Invert(s.x), u, 1e-6);
     }
-    EXPECT_LT(dist.Draw(OneMinusEpsilon).x, 5.f / 6 + 1e-6f);
-    EXPECT_EQ(dist.Draw(0).step, 1);
+    EXPECT_LT(dist.Sample(OneMinusEpsilon).x, 5.f / 6 + 1e-6f);
+    EXPECT_EQ(dist.Sample(0).step, 1);
 }
 
 TEST(PiecewiseConstant1D, NothingButZerosIsUniform) {
     const PiecewiseConstant1D dist(std::array<float, 3>{0, 0, 0});
     EXPECT_EQ(dist.Integral(), 0);
     for (float u : {0.f, 0.3f, 0.99f, OneMinusEpsilon}) {
-        EXPECT_NEAR(dist.Draw(u).x, u, 1e-6);
-        EXPECT_EQ(dist.Draw(u).pdf, 1);
+        EXPECT_NEAR(dist.Sample(u).x, u, 1e-6);
+        EXPECT_EQ(dist.Sample(u).pdf, 1);
         EXPECT_NEAR(dist.Invert(u), u, 1e-6);
     }
 }
@@ -42,7 +42,7 @@ TEST(PiecewiseConstant2D, DensityInverseAndIntegral) {
     for (int j = 0; j < n; ++j) {
         for (int i = 0; i < n; ++i) {
             const Point2f u{(float(i) + 0.5f) / n, (float(j) + 0.5f) / n};
-            const auto s = dist.Draw(u);
+            const auto s = dist.Sample(u);
             const size_t cell = size_t(s.step.y * 4 + s.step.x);
             share[cell] += 1.0 / (n * n);
             EXPECT_FLOAT_EQ(s.pdf, f[cell] * 12 / 21);

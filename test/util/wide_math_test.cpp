@@ -15,10 +15,10 @@ namespace {
 constexpr float kRoundings = 8 * 0x1p-24f;
 
 /// Numbers in [0, 1), its ends and its middle among them.
-WidePoint2f Numbers(Rng &rng) {
+Point2fX16 Numbers(Rng &rng) {
     constexpr float kCorners[] = {0, 0.5f, OneMinusEpsilon, 0x1p-24f};
-    WidePoint2f u;
-    for (int i = 0; i < kWide; ++i) {
+    Point2fX16 u;
+    for (int i = 0; i < kPacketSize; ++i) {
         const auto one = [&] { return rng.Below(8) == 0 ? kCorners[rng.Below(4)] : rng.Uniform(); };
         SetLane(&u, i, {one(), one()});
     }
@@ -45,11 +45,11 @@ void ForManyNumbers(Check check) {
 }
 
 TEST(WideMath, Warps) {
-    ForManyNumbers([](WidePoint2f u) {
-        const WidePoint2f disk = SampleUniformDiskConcentric(u);
-        const WideVector3f cosine = SampleCosineHemisphere(u), sphere = EqualAreaSquareToSphere(u);
-        const WidePoint2f square = EqualAreaSphereToSquare(sphere);
-        for (int i = 0; i < kWide; ++i) {
+    ForManyNumbers([](Point2fX16 u) {
+        const Point2fX16 disk = SampleUniformDiskConcentric(u);
+        const Vector3fX16 cosine = SampleCosineHemisphere(u), sphere = EqualAreaSquareToSphere(u);
+        const Point2fX16 square = EqualAreaSphereToSquare(sphere);
+        for (int i = 0; i < kPacketSize; ++i) {
             ExpectNear(Lane(disk, i), SampleUniformDiskConcentric(Lane(u, i)));
             // z is a root: at the rim roundings grow to their root.
             const Vector3f w = SampleCosineHemisphere(Lane(u, i));
@@ -61,11 +61,11 @@ TEST(WideMath, Warps) {
 }
 
 TEST(WideMath, Angles) {
-    ForManyNumbers([](WidePoint2f u) {
-        const WideFloat turns = 8 * u.x - 4, x = 2 * u.x - 1, y = 2 * u.y - 1;
-        const SinCosT<WideFloat> wide = SinCosTurns(turns);
-        const WideFloat angle = FastAtan2(y, x);
-        for (int i = 0; i < kWide; ++i) {
+    ForManyNumbers([](Point2fX16 u) {
+        const FloatX16 turns = 8 * u.x - 4, x = 2 * u.x - 1, y = 2 * u.y - 1;
+        const SinCosT<FloatX16> wide = SinCosTurns(turns);
+        const FloatX16 angle = FastAtan2(y, x);
+        for (int i = 0; i < kPacketSize; ++i) {
             const SinCos one = SinCosTurns(turns[i]);
             ExpectNear(wide.sin[i], one.sin);
             ExpectNear(wide.cos[i], one.cos);
@@ -77,28 +77,28 @@ TEST(WideMath, Angles) {
 TEST(WideMath, FastInverseRoot) {
     Rng rng(5);
     for (int round = 0; round < 1000; ++round) {
-        WideFloat a;
-        for (int i = 0; i < kWide; ++i)
+        FloatX16 a;
+        for (int i = 0; i < kPacketSize; ++i)
             a[i] = std::exp2(250 * rng.Uniform() - 122);
-        const WideFloat root = FastInverseRoot(a);
-        for (int i = 0; i < kWide; ++i)
+        const FloatX16 root = FastInverseRoot(a);
+        for (int i = 0; i < kPacketSize; ++i)
             EXPECT_NEAR(double(root[i]) * std::sqrt(double(a[i])), 1, 0x1p-14);
     }
 }
 
-TEST(WideMath, SumsUpTo) {
+TEST(WideMath, InclusiveScan) {
     Rng rng(6);
-    WideFloat a;
-    for (int i = 0; i < kWide; ++i)
+    FloatX16 a;
+    for (int i = 0; i < kPacketSize; ++i)
         a[i] = float(rng.Below(1000));
-    const WideFloat sums = SumsUpTo(a);
+    const FloatX16 sums = InclusiveScan(a);
     float sum = 0;
-    for (int i = 0; i < kWide; ++i)
+    for (int i = 0; i < kPacketSize; ++i)
         EXPECT_EQ(sums[i], sum += a[i]);
 }
 
 TEST(WideMath, PowerHeuristic) {
-    WideFloat f, g;
+    FloatX16 f, g;
     constexpr float kValues[] = {0, 1e-30f, 0.3f, 7, 1e10f, 1e30f};
     for (float a : kValues)
         for (float b : kValues) {
@@ -118,11 +118,11 @@ TEST(WideMath, PiecewiseConstant2D) {
         for (float &v : f)
             v = rng.Below(3) == 0 ? 0 : rng.Uniform();
         const PiecewiseConstant2D distribution(f, nu, nv);
-        ForManyNumbers([&](WidePoint2f u) {
-            const PiecewiseConstant2D::Samples wide = distribution.Draw(u);
-            const WideFloat pdf = distribution.PDF(u);
-            for (int i = 0; i < kWide; ++i) {
-                const PiecewiseConstant2D::Sample one = distribution.Draw(Lane(u, i));
+        ForManyNumbers([&](Point2fX16 u) {
+            const PiecewiseConstant2D::PointSampleX16 wide = distribution.Sample(u);
+            const FloatX16 pdf = distribution.PDF(u);
+            for (int i = 0; i < kPacketSize; ++i) {
+                const PiecewiseConstant2D::PointSample one = distribution.Sample(Lane(u, i));
                 EXPECT_EQ(wide.column[i], uint32_t(one.step.x));
                 EXPECT_EQ(wide.row[i], uint32_t(one.step.y));
                 EXPECT_EQ(wide.pdf[i], one.pdf);

@@ -208,7 +208,7 @@ RTCGeometry Accel::Impl::NewGeometry(const GeometryRecord &record) {
     }
     rtcSetGeometryUserData(geometry, const_cast<GeometryRecord *>(&record));
     if (record.hasAlpha) rtcSetGeometryIntersectFilterFunction(geometry, FilterIntersection);
-    if (record.hasAlpha || record.geometry->passesLight)
+    if (record.hasAlpha || record.geometry->hasNullTransmission)
         rtcSetGeometryOccludedFilterFunction(geometry, FilterOcclusion);
     return geometry;
 }
@@ -256,7 +256,7 @@ Accel::Accel(std::span<const Geometry> geometries, uint32_t nTop,
              int nThreads)
     : impl(std::make_unique<Impl>(geometries, nTop, objects, instances)) {
     for (const Geometry &g : geometries)
-        hasGaps |= g.passesLight && !IsInvisible(g);
+        hasGaps |= g.hasNullTransmission && !IsInvisible(g);
     impl->Build(nThreads);
 }
 

@@ -15,11 +15,11 @@ namespace pbrt {
 /// What traversal must know of a shape beside its form.
 struct Geometry {
     Shape shape;
-    int material = 0;          ///< index into World::materials
-    int firstLight = -1;       ///< light of primitive 0; -1: not emissive
-    bool oneLight = false;     ///< all primitives are parts of that one light
-    bool passesLight = false;  ///< surface with gaps: shadow rays ask for its transmittance
-    FloatTexture alpha = 1.f;  ///< constant 1: no test
+    int material = 0;                  ///< index into RenderScene::materials
+    int firstLight = -1;               ///< light of primitive 0; -1: not emissive
+    bool sharedLight = false;          ///< all primitives are parts of that one light
+    bool hasNullTransmission = false;  ///< surface with gaps: shadow rays ask for its transmittance
+    FloatTexture alpha = 1.f;          ///< constant 1: no test
 };
 
 struct Instance {
@@ -47,11 +47,11 @@ struct ObjectRange {
 /// Called for each surface that passes light on a shadow ray's way. Returns the fraction that
 /// passes, per wavelength folded to one number, in [0, 1]. `ray` is the query's own, also for hits
 /// in instances; hit.t runs along it.
-struct GapTransmittance {
+struct NullTransmission {
     virtual float operator()(const Hit &hit, const Ray &ray) const = 0;
 
   protected:
-    ~GapTransmittance() = default;
+    ~NullTransmission() = default;
 };
 
 /// The only room that calls Embree. Immutable after construction; all queries are thread-safe.
@@ -75,8 +75,8 @@ class Accel {
     /// True where anything opaque stands in (0, ray.tMax]. One traversal.
     bool Occluded(const Ray &ray) const;
     /// Fraction of light that passes along the ray: 0 where opaque, the product of `gaps` over
-    /// surfaces with passesLight, any number of them. One traversal.
-    float Transmittance(const Ray &ray, const GapTransmittance &gaps) const;
+    /// surfaces with hasNullTransmission, any number of them. One traversal.
+    float Transmittance(const Ray &ray, const NullTransmission &gaps) const;
 
     // The same for the active lanes of a packet; other lanes are neither read nor written. A lane
     // finds what a single ray finds, but where rounding decides (edges, grazing rays).
@@ -86,10 +86,10 @@ class Accel {
                        Coherence coherence = Coherence::None) const;
     /// Lanes where anything opaque stands.
     LaneBits Occluded(const RayPacket &rays, LaneBits active) const;
-    void Transmittance(const RayPacket &rays, LaneBits active, const GapTransmittance &gaps,
-                       WideFloat *passed) const;
+    void Transmittance(const RayPacket &rays, LaneBits active, const NullTransmission &gaps,
+                       FloatX16 *passed) const;
 
-    bool HasGaps() const { return hasGaps; }
+    bool HasNullTransmission() const { return hasGaps; }
 
     Bounds3f WorldBounds() const;
     size_t MemoryBytes() const;      ///< what traversal holds beside the shapes

@@ -92,7 +92,7 @@ bool IsPast(const RTCFilterFunctionNArguments *args, unsigned i, const CurveChor
 bool IsOfRibbon(const RTCFilterFunctionNArguments *args, unsigned i, const CurveRecord &record,
                 uint32_t chord, float along) {
     const CurveChords &chords = record.chords;
-    if (along > 0 && along < 1 && !record.geometry->passesLight) return true;
+    if (along > 0 && along < 1 && !record.geometry->hasNullTransmission) return true;
     return (chords.IsFirst(chord) ? along > 0 : IsPast(args, i, chords, chord)) &&
            (chords.IsLast(chord) ? along < 1 : !IsPast(args, i, chords, chord + 1));
 }
@@ -127,7 +127,7 @@ void FilterCurveIntersection(const RTCFilterFunctionNArguments *args) {
 void FilterCurveOcclusion(const RTCFilterFunctionNArguments *args) {
     const CurveRecord &record = RecordOf(args);
     KeepRibbon(args, record);
-    if (record.hasAlpha || record.geometry->passesLight) FilterOcclusion(args);
+    if (record.hasAlpha || record.geometry->hasNullTransmission) FilterOcclusion(args);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ bool IsCutOut(const GeometryRecord &record, const Hit &hit, const Ray &ray, cons
     if (texture.IsConstant()) {
         alpha = texture.Constant();
     } else {
-        const SurfacePoint s = InteractLightly(record.geometry->shape, hit, ray);
+        const SurfaceInteraction s = SurfaceAtWithoutError(record.geometry->shape, hit, ray);
         TextureEvalContext at;
         at.p = worldRay(hit.t);
         at.n = s.n;
@@ -28,7 +28,7 @@ bool Blocks(const GeometryRecord &record, const Hit &hit, const Ray &ray, QueryC
             unsigned id, int crossing) {
     const Ray worldRay = context.WorldRay(id);
     if (record.hasAlpha && IsCutOut(record, hit, ray, worldRay, crossing)) return false;
-    if (!record.geometry->passesLight || !context.gaps) return true;
+    if (!record.geometry->hasNullTransmission || !context.gaps) return true;
     double &passed = context.passed[id];
     passed *= (*context.gaps)(hit, worldRay);
     return passed == 0;

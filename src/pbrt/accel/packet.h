@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pbrt/shapes/surface_point.h"
+#include "pbrt/shapes/surface_interaction.h"
 #include "pbrt/util/ray_packet.h"
 
 namespace pbrt {
@@ -18,14 +18,14 @@ inline uint32_t Octant(Vector3f d) {
     return uint32_t(d.x < 0) | uint32_t(d.y < 0) << 1 | uint32_t(d.z < 0) << 2;
 }
 
-inline WideUint Octant(const WideVector3f &d) {
-    return std::bit_cast<WideUint>(((d.x < 0.f) & 1) | ((d.y < 0.f) & 2) | ((d.z < 0.f) & 4));
+inline UintX16 Octant(const Vector3fX16 &d) {
+    return std::bit_cast<UintX16>(((d.x < 0.f) & 1) | ((d.y < 0.f) & 2) | ((d.z < 0.f) & 4));
 }
 
 /// Sixteen of Hit.
 struct alignas(64) HitPacket {
-    WideFloat t, u, v;
-    WideUint geometry, primitive, instance;
+    FloatX16 t, u, v;
+    UintX16 geometry, primitive, instance;
 
     Hit At(int i) const { return {t[i], u[i], v[i], geometry[i], primitive[i], instance[i]}; }
     void Set(int i, const Hit &hit) {

@@ -6,7 +6,7 @@ namespace pbrt {
 namespace {
 
 void SetRays(const RayPacket &rays, RTCRay16 *r) {
-    constexpr WideUint kLane{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+    constexpr UintX16 kLane{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
     StoreWide(rays.o.x, r->org_x);
     StoreWide(rays.o.y, r->org_y);
     StoreWide(rays.o.z, r->org_z);
@@ -16,14 +16,14 @@ void SetRays(const RayPacket &rays, RTCRay16 *r) {
     StoreWide(rays.d.z, r->dir_z);
     StoreWide(rays.time, r->time);
     StoreWide(rays.tMax, r->tfar);
-    StoreWide(WideUint{} + ~0u, r->mask);
+    StoreWide(UintX16{} + ~0u, r->mask);
     StoreWide(kLane, r->id);
-    StoreWide(WideUint{}, r->flags);
+    StoreWide(UintX16{}, r->flags);
 }
 
 /// Embree's form of the active lanes: all bits or none.
 struct alignas(64) Valid {
-    WideMask lanes;
+    MaskX16 lanes;
     explicit Valid(LaneBits active) : lanes(MaskOf(active)) {}
     const int *Data() const { return reinterpret_cast<const int *>(&lanes); }
 };
@@ -53,15 +53,15 @@ LaneBits Accel::Intersect(const RayPacket &rays, LaneBits active, HitPacket *hit
     if (!coherent && impl->IntersectsSingly()) return IntersectSingly(rays, active, hits);
     RTCRayHit16 rh;
     SetRays(rays, &rh.ray);
-    StoreWide(WideUint{} + RTC_INVALID_GEOMETRY_ID, rh.hit.geomID);
-    StoreWide(WideUint{} + RTC_INVALID_GEOMETRY_ID, rh.hit.instID[0]);
+    StoreWide(UintX16{} + RTC_INVALID_GEOMETRY_ID, rh.hit.geomID);
+    StoreWide(UintX16{} + RTC_INVALID_GEOMETRY_ID, rh.hit.instID[0]);
     QueryContext context(rays, nullptr, nullptr);
     Intersect16(impl->scene, &context.embree, Valid(active).Data(), &rh, coherent);
 
-    WideUint geometry = LoadWide(rh.hit.geomID), instance = LoadWide(rh.hit.instID[0]);
-    const WideMask found = (geometry != RTC_INVALID_GEOMETRY_ID) & MaskOf(active);
-    const WideMask instanced = found & (instance != RTC_INVALID_GEOMETRY_ID);
-    instance -= instanced ? WideUint{} + impl->nTop : WideUint{};
+    UintX16 geometry = LoadWide(rh.hit.geomID), instance = LoadWide(rh.hit.instID[0]);
+    const MaskX16 found = (geometry != RTC_INVALID_GEOMETRY_ID) & MaskOf(active);
+    const MaskX16 instanced = found & (instance != RTC_INVALID_GEOMETRY_ID);
+    instance -= instanced ? UintX16{} + impl->nTop : UintX16{};
     ForEachLane(BitsOf(instanced), [&](int i) {
         geometry[i] += impl->objects[impl->instances[instance[i]].object].first;
     });
@@ -87,14 +87,14 @@ LaneBits Accel::Occluded(const RayPacket &rays, LaneBits active) const {
     return Ended(r, active);
 }
 
-void Accel::Transmittance(const RayPacket &rays, LaneBits active, const GapTransmittance &gaps,
-                          WideFloat *passed) const {
+void Accel::Transmittance(const RayPacket &rays, LaneBits active, const NullTransmission &gaps,
+                          FloatX16 *passed) const {
     if (impl->OccludesSingly())
         return ForEachLane(active, [&](int i) { (*passed)[i] = Transmittance(rays.At(i), gaps); });
     RTCRay16 r;
     SetRays(rays, &r);
-    double product[kWide];
-    std::fill(product, product + kWide, 1.);
+    double product[kPacketSize];
+    std::fill(product, product + kPacketSize, 1.);
     QueryContext context(rays, &gaps, product);
     Occluded16(impl->scene, &context.embree, Valid(active).Data(), &r);
     const LaneBits ended = Ended(r, active);

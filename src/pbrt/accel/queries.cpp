@@ -42,7 +42,7 @@ bool Accel::Occluded(const Ray &ray) const {
     return r.tfar < 0;
 }
 
-float Accel::Transmittance(const Ray &ray, const GapTransmittance &gaps) const {
+float Accel::Transmittance(const Ray &ray, const NullTransmission &gaps) const {
     RTCRay r;
     SetRay(ray, &r);
     double passed = 1;

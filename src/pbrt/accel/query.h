@@ -12,15 +12,15 @@ struct QueryContext {
     EmbreeContext embree;  ///< first: Embree hands back its address
     const Ray *single;     ///< null: a packet
     const RayPacket *packet;
-    const GapTransmittance *gaps;  ///< null: surfaces with gaps are opaque
+    const NullTransmission *gaps;  ///< null: surfaces with gaps are opaque
     /// By id: product of gap fractions; in double, so that its order hardly matters.
     double *passed;
 
-    QueryContext(const Ray &ray, const GapTransmittance *gaps, double *passed)
+    QueryContext(const Ray &ray, const NullTransmission *gaps, double *passed)
         : single(&ray), packet(nullptr), gaps(gaps), passed(passed) {
         InitContext(&embree);
     }
-    QueryContext(const RayPacket &rays, const GapTransmittance *gaps, double *passed)
+    QueryContext(const RayPacket &rays, const NullTransmission *gaps, double *passed)
         : single(nullptr), packet(&rays), gaps(gaps), passed(passed) {
         InitContext(&embree);
     }
@@ -33,7 +33,7 @@ struct QueryContext {
 /// What the callbacks know of a geometry.
 struct GeometryRecord {
     const Geometry *geometry;
-    uint32_t index;          ///< in World::geometries
+    uint32_t index;          ///< in RenderScene::geometries
     uint32_t local;          ///< Embree's geometry ID within its scene
     uint32_t firstInstance;  ///< Embree's ID of instance 0
     bool hasAlpha;

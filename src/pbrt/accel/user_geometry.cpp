@@ -22,7 +22,7 @@ struct QuadricPrimitive {
         return {quadric.objectFromRender->Point(ToDouble(ray.o)),
                 quadric.objectFromRender->Vector(ToDouble(ray.d)), 0, ray.tMax};
     }
-    std::optional<UserHit> Meet(const RayD &ray) const {
+    std::optional<UserHit> Intersect(const RayD &ray) const {
         const Shape &shape = quadric.common.geometry->shape;
         std::optional<double> t;
         if (const auto *s = std::get_if<Sphere>(&shape))
@@ -46,7 +46,7 @@ struct PatchPrimitive {
     const GeometryRecord &Record() const { return record; }
     uint32_t Index(unsigned primitive) const { return primitive; }
     RayD ToObject(const Ray &ray) const { return {ToDouble(ray.o), ToDouble(ray.d), 0, ray.tMax}; }
-    std::optional<UserHit> Meet(const RayD &ray) const {
+    std::optional<UserHit> Intersect(const RayD &ray) const {
         const auto hit = IntersectPatch(patch, ray);
         if (!hit) return {};
         return UserHit{hit->t, float(hit->u), float(hit->v)};
@@ -66,7 +66,7 @@ std::optional<Hit> FirstKept(const Primitive &primitive, uint32_t index, const R
                              const EmbreeContext &context, F keep) {
     RayD local = primitive.ToObject(ray);
     for (int crossing = 0;; ++crossing) {
-        const std::optional<UserHit> met = primitive.Meet(local);
+        const std::optional<UserHit> met = primitive.Intersect(local);
         if (!met) return {};
         const Hit hit = primitive.Record().ToHit(float(met->t), met->u, met->v, index, context);
         if (keep(hit, crossing)) return hit;
@@ -130,7 +130,7 @@ void IntersectQuadrics(const RTCIntersectFunctionNArguments *args) {
 void OccludedQuadrics(const RTCOccludedFunctionNArguments *args) {
     const QuadricRecord &quadric = QuadricPrimitive(args->geometryUserPtr, args->primID).quadric;
     const bool mayPass =
-        quadric.common.geometry->passesLight && QueryContext::Of(args->context).gaps;
+        quadric.common.geometry->hasNullTransmission && QueryContext::Of(args->context).gaps;
     if (quadric.ball && !mayPass)
         OccludedBall(*quadric.ball, args);
     else
@@ -170,8 +170,9 @@ RTCGeometry NewUserGeometry(RTCDevice device, const void *user, size_t count,
 }  // namespace
 
 QuadricRecord::QuadricRecord(const GeometryRecord &record, const Transform &renderFromObject)
-    : common(record), ball(record.hasAlpha ? std::nullopt : Ball::Of(record.geometry->shape)) {
-    if (!ball || record.geometry->passesLight)
+    : common(record),
+      ball(record.hasAlpha ? std::nullopt : WorldSphere::Of(record.geometry->shape)) {
+    if (!ball || record.geometry->hasNullTransmission)
         objectFromRender = std::make_unique<ObjectFromRender>(renderFromObject);
 }
 

@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "pbrt/accel/ball.h"
 #include "pbrt/accel/query.h"
+#include "pbrt/accel/world_sphere.h"
 #include "pbrt/shapes/intersect.h"
 
 namespace pbrt {
@@ -13,7 +13,7 @@ namespace pbrt {
 /// One sphere, disk or cylinder in a scene's set of them.
 struct QuadricRecord {
     GeometryRecord common;
-    std::optional<Ball> ball;  ///< where it is one and without alpha
+    std::optional<WorldSphere> ball;  ///< where it is one and without alpha
     /// What a ball that lets no light through does not need.
     std::unique_ptr<const ObjectFromRender> objectFromRender;
 

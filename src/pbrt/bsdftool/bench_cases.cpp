@@ -4,7 +4,7 @@
 
 #include "pbrt/bsdftool/bench_model.h"
 #include "pbrt/bsdftool/spectral_bsdf.h"
-#include "pbrt/bxdfs/feather_lanes.h"
+#include "pbrt/bxdfs/feather_packet.h"
 #include "pbrt/bxdfs/hair.h"
 
 namespace pbrt::bsdftool {
@@ -13,17 +13,17 @@ namespace {
 constexpr auto kMode = TransportMode::Radiance;
 
 /// Of each lane, as in AddTimers.
-WideFloat AverageOf(const std::array<SampledSpectrum, kWide> &spectra) {
-    WideFloat average;
-    for (int i = 0; i < kWide; ++i)
+FloatX16 AverageOf(const std::array<SampledSpectrum, kPacketSize> &spectra) {
+    FloatX16 average;
+    for (int i = 0; i < kPacketSize; ++i)
         average[i] = spectra[size_t(i)].Average();
     return average;
 }
 
-BxDFLanes<FeatherSurface> SixteenAlike(const FeatherBarbuleMaterial &material) {
-    BxDFLanes<FeatherSurface> lanes;
+BxDFPacket<FeatherSurface> SixteenAlike(const FeatherBarbuleMaterial &material) {
+    BxDFPacket<FeatherSurface> lanes;
     const SampledWavelengths lambda = SampledWavelengths::Of(kBenchLambda);
-    for (int i = 0; i < kWide; ++i)
+    for (int i = 0; i < kPacketSize; ++i)
         lanes.Set(i, material.GetSurface(MiddleOfTexture(), lambda));
     return lanes;
 }
@@ -60,16 +60,16 @@ BenchCase CaseOf(const std::string &name, const Material &material) {
     return c;
 }
 
-RenderedParts Rendered(const FeatherBarbuleMaterial &material,
-                       const std::vector<BenchInput> &pairs) {
-    BxDFLanes<FeatherSurface> lanes = SixteenAlike(material);
-    RenderedParts parts;
+EvaluatedLobes EvaluatePacket(const FeatherBarbuleMaterial &material,
+                              const std::vector<BenchInput> &pairs) {
+    BxDFPacket<FeatherSurface> lanes = SixteenAlike(material);
+    EvaluatedLobes parts;
     size_t left = pairs.size();
-    for (const WideBenchInput &in : SideBySide(pairs)) {
-        const size_t count = std::min(left, size_t(kWide));
+    for (const WideBenchInput &in : PackInputs(pairs)) {
+        const size_t count = std::min(left, size_t(kPacketSize));
         const LaneBits active = FirstLanes(int(count));
-        const auto [R, TRT] = lanes.Parts(in.wo, in.wi, active);
-        const WideFloat pdf = lanes.PDF(in.wo, in.wi, active);
+        const auto [R, TRT] = lanes.Lobes(in.wo, in.wi, active);
+        const FloatX16 pdf = lanes.PDF(in.wo, in.wi, active);
         for (size_t i = 0; i < count; ++i) {
             parts.R.push_back(R[i]);
             parts.TRT.push_back(TRT[i]);
@@ -81,7 +81,7 @@ RenderedParts Rendered(const FeatherBarbuleMaterial &material,
 }
 
 BenchCase SideBySideCase(const FeatherBarbuleMaterial &material) {
-    BxDFLanes<FeatherSurface> lanes = SixteenAlike(material);
+    BxDFPacket<FeatherSurface> lanes = SixteenAlike(material);
     BenchCase c;
     c.row.name = "featherbarbule, by 16";
     c.timers.push_back({&BenchRow::f, WidePass([lanes](const WideBenchInput &in) mutable {

@@ -25,11 +25,11 @@ feather::Direction<T> Local(Vector3f w) {
 
 /// The parts of f and the density of each pair of directions as the renderer finds them, sixteen
 /// side by side.
-struct RenderedParts {
+struct EvaluatedLobes {
     std::vector<SampledSpectrum> R, TRT;
     std::vector<float> pdf;
 };
-RenderedParts Rendered(const FeatherBarbuleMaterial &material,
-                       const std::vector<BenchInput> &pairs);
+EvaluatedLobes EvaluatePacket(const FeatherBarbuleMaterial &material,
+                              const std::vector<BenchInput> &pairs);
 
 }  // namespace pbrt::bsdftool

@@ -41,12 +41,12 @@ std::vector<SampleNumbers> Points(int samples) {
 /// Adds what one sample brings, weighted; returns the mean over wavelengths of what it reflects.
 template <typename Part>
 double AddSample(const Part &part, Vector3f wo, const SampleNumbers &numbers, double share,
-                 Energy &energy) {
+                 Albedo &energy) {
     // Importance: light that enters, so that refraction does not scale it.
     const auto s = part.bsdf.Sample_f(wo, numbers.uc, numbers.u, TransportMode::Importance);
     if (!s) return 0;
     const double weight = share * std::abs(s->wi.z) / s->pdf;
-    if (Has(s->flags, BxDFFlags::Gap)) {
+    if (Has(s->flags, BxDFFlags::NullTransmission)) {
         energy.gap += s->f[0] * weight * double(part.count);
         return 0;
     }
@@ -58,7 +58,7 @@ double AddSample(const Part &part, Vector3f wo, const SampleNumbers &numbers, do
         sum += s->f[int(k)] * weight / share;
     }
     if constexpr (HasParts<decltype(part.bsdf)>) {
-        const auto parts = part.bsdf.Parts(wo, s->wi);
+        const auto parts = part.bsdf.Lobes(wo, s->wi);
         for (size_t k = 0; k < part.count; ++k) {
             energy.R[part.first + k] += parts.R[int(k)] * weight;
             energy.TRT[part.first + k] += parts.TRT[int(k)] * weight;
@@ -77,17 +77,17 @@ double StandardError(const std::array<double, kShifts> &means) {
 
 }  // namespace
 
-double Energy::Mean(const std::vector<double> &shares) {
+double Albedo::Mean(const std::vector<double> &shares) {
     if (shares.empty()) return 0;
     return std::accumulate(shares.begin(), shares.end(), 0.0) / double(shares.size());
 }
 
-Energy EnergyFrom(const Material &material, const LocalDirection &wo,
+Albedo AlbedoFrom(const Material &material, const LocalDirection &wo,
                   const std::vector<float> &lambda, int samples) {
     const std::vector<SampleNumbers> points = Points(samples);
     const double share = 1.0 / double(points.size());
     return WithSpectralBSDF(material, lambda, [&](const auto &spectral) {
-        Energy energy;
+        Albedo energy;
         const std::vector<double> none(lambda.size(), 0.0);
         energy.reflected = energy.transmitted = none;
         if (HasParts<decltype(spectral.parts[0].bsdf)>) energy.R = energy.TRT = none;

@@ -8,7 +8,7 @@
 namespace pbrt::bsdftool {
 
 /// What becomes of light of one direction, as shares of it per wavelength.
-struct Energy {
+struct Albedo {
     std::vector<double> reflected, transmitted;  ///< scattered to its own side, and to the other
     std::vector<double> R, TRT;                  ///< featherbarbule only: parts of the two above
     double gap = 0;                              ///< straight through
@@ -23,7 +23,7 @@ struct Energy {
 
 /// By sampling the BSDF, `samples` at least 16 per four wavelengths, the same numbers for all
 /// (a rank-1 lattice, eight times with random shifts of a fixed seed). wo on either side.
-Energy EnergyFrom(const Material &material, const LocalDirection &wo,
+Albedo AlbedoFrom(const Material &material, const LocalDirection &wo,
                   const std::vector<float> &lambda, int samples);
 
 /// One after another at equal distances, the middles of `count` parts of [LambdaMin, LambdaMax].

@@ -29,7 +29,7 @@ void AppendBarbule(const FeatherBarbuleMaterial &material, const DirectionPair &
     const auto wi = local(pair.wi);
     const auto view = model.SeenFrom(local(pair.wo));
     if (e.f.empty()) {
-        e.pdf = model.Pdf(view, wi);
+        e.pdf = model.PDF(view, wi);
         e.gap = model.GapFraction(local(pair.wo));
     }
     Append(e.f, model.f(view, wi), N);

@@ -37,22 +37,22 @@ std::optional<Outcome> ParseOptions(Args args, Options *o) {
 
 struct Row {
     float theta, phi;
-    Energy energy;
+    Albedo energy;
 };
 
 struct Column {
     std::string_view name;
-    double (*value)(const Energy &e);
+    double (*value)(const Albedo &e);
 };
 
-constexpr Column kReflected{"reflected", [](const Energy &e) { return Energy::Mean(e.reflected); }};
+constexpr Column kReflected{"reflected", [](const Albedo &e) { return Albedo::Mean(e.reflected); }};
 constexpr Column kTransmitted{"transmitted",
-                              [](const Energy &e) { return Energy::Mean(e.transmitted); }};
-constexpr Column kR{"R", [](const Energy &e) { return Energy::Mean(e.R); }};
-constexpr Column kTRT{"TRT", [](const Energy &e) { return Energy::Mean(e.TRT); }};
-constexpr Column kT{"T", [](const Energy &e) { return e.gap; }};
-constexpr Column kAbsorbed{"absorbed", [](const Energy &e) { return e.Absorbed(); }};
-constexpr Column kError{"+-", [](const Energy &e) { return e.error; }};
+                              [](const Albedo &e) { return Albedo::Mean(e.transmitted); }};
+constexpr Column kR{"R", [](const Albedo &e) { return Albedo::Mean(e.R); }};
+constexpr Column kTRT{"TRT", [](const Albedo &e) { return Albedo::Mean(e.TRT); }};
+constexpr Column kT{"T", [](const Albedo &e) { return e.gap; }};
+constexpr Column kAbsorbed{"absorbed", [](const Albedo &e) { return e.Absorbed(); }};
+constexpr Column kError{"+-", [](const Albedo &e) { return e.error; }};
 
 std::vector<Column> ColumnsFor(const Material &material) {
     if (std::holds_alternative<FeatherBarbuleMaterial>(material))
@@ -107,7 +107,7 @@ Outcome RunFurnace(Args args) {
     const std::vector<float> lambda = MiddleWavelengths(kWavelengths);
     tbb::parallel_for(size_t(0), rows.size(), [&](size_t i) {
         const LocalDirection w = Spherical(rows[i].theta, rows[i].phi);
-        rows[i].energy = EnergyFrom(source->material, w, lambda, o.samples);
+        rows[i].energy = AlbedoFrom(source->material, w, lambda, o.samples);
     });
     const std::vector<Column> columns = ColumnsFor(source->material);
     WriteText(o.csv, Csv(columns, rows), log);

@@ -20,7 +20,7 @@ struct Candidate {
 };
 
 /// The scene's materials in the order of their lines (of one file; each file's by themselves).
-std::vector<Candidate> MaterialsOf(const Description &scene) {
+std::vector<Candidate> MaterialsOf(const SceneDescription &scene) {
     std::vector<Candidate> all;
     for (const NamedMaterialEntity &e : scene.namedMaterials)
         all.push_back({e, e.name});
@@ -44,7 +44,7 @@ bool IsFileName(const std::string &source) {
            source.find_first_of(" \t\n\"") == std::string::npos;
 }
 
-void ReadScene(const std::string &source, Description &scene, Diagnostics &log) {
+void ReadScene(const std::string &source, SceneDescription &scene, Diagnostics &log) {
     if (IsFileName(source)) {
         ParseFiles({source}, scene, log);
         return;
@@ -80,7 +80,7 @@ std::optional<Candidate> Choose(const std::vector<Candidate> &all, const std::st
 std::optional<MaterialSource> ReadMaterial(const std::string &source, const std::string &pick,
                                            Diagnostics &log) {
     const int before = log.ErrorCount();
-    Description scene;
+    SceneDescription scene;
     ReadScene(source, scene, log);
     if (log.ErrorCount() > before) return {};
     const auto chosen = Choose(MaterialsOf(scene), source, pick, log);

@@ -30,7 +30,7 @@ PartErrors MeasureParts(const FeatherBarbuleMaterial &material, int pairs) {
     PartErrors errors;
     const auto raise = [](double &most, double error) { most = std::max(most, std::abs(error)); };
     const std::vector<BenchInput> inputs = BenchInputs(pairs, 3);
-    const RenderedParts rendered = Rendered(material, inputs);
+    const EvaluatedLobes rendered = EvaluatePacket(material, inputs);
     for (size_t i = 0; i < inputs.size(); ++i) {
         const BenchInput &in = inputs[i];
         const auto wo = Local<double>(in.wo), wi = Local<double>(in.wi);
@@ -38,7 +38,7 @@ PartErrors MeasureParts(const FeatherBarbuleMaterial &material, int pairs) {
         if (in.wo.z >= kNotGrazing)
             raise(errors.gap, model.GapFraction(Local<float>(in.wo)) - oracle.GapFraction(wo));
         if (!AwayFromEdges(oracle, exactView, wi)) continue;
-        const double pdf = oracle.Pdf(exactView, wi);
+        const double pdf = oracle.PDF(exactView, wi);
         if (pdf > 0) raise(errors.pdf, rendered.pdf[i] / pdf - 1);
         const auto exact = oracle.R(exactView, wi);
         const double most = *std::max_element(exact.begin(), exact.end());

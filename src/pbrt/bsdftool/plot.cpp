@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "pbrt/bsdftool/command_line.h"
-#include "pbrt/bsdftool/scatterogram.h"
+#include "pbrt/bsdftool/lobe_plot.h"
 #include "pbrt/cli/options.h"
 
 namespace pbrt::bsdftool {
@@ -81,12 +81,12 @@ Outcome RunPlot(Args args) {
     if (log.HasErrors()) return Finish(log);
 
     o.picture.timesCosine = o.value == "fcos";
-    std::vector<Scatterogram> views;
+    std::vector<LobePlot> views;
     for (const LightAngles &light : lights)
         views.push_back(ScatterLight(source->material, light, o.picture, illuminant));
     const float exposure = o.exposure > 0 ? o.exposure : AutomaticExposure(views);
     if (!o.exr.empty())
-        if (const auto why = WriteImage(SideBySide(views), o.exr, ExrPixels::Float))
+        if (const auto why = WriteImage(Montage(views), o.exr, ExrPixels::Float))
             log.Error({}, *why);
     WriteText(o.png,
               o.png.empty()

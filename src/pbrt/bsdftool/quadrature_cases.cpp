@@ -74,10 +74,10 @@ template <int Points>
 BenchCase WithGauss(const Reference &reference) {
     return With<feather::GaussPanel<Points>>(reference, fmt::format("Gauss, {} in e", Points));
 }
-template <int Segments, int Points, bool Dealt>
+template <int Segments, int Points, bool Interleaved>
 BenchCase WithFixed(const Reference &reference) {
-    const char *const kind = !Dealt ? "" : Points == 4 ? ", fitted" : ", dealt";
-    return With<feather::FixedRule<Segments, Points, Dealt>>(
+    const char *const kind = !Interleaved ? "" : Points == 4 ? ", fitted" : ", interleaved";
+    return With<feather::FixedRule<Segments, Points, Interleaved>>(
         reference, fmt::format("{} segments x {}{}", Segments, Points, kind));
 }
 
@@ -86,7 +86,7 @@ BenchCase WithFixed(const Reference &reference) {
 std::vector<BenchCase> QuadratureCases(const FeatherBarbuleMaterial &material, int pairs) {
     const Reference r(material, pairs);
     BenchCase sideBySide = SideBySideCase(material);
-    const RenderedParts rendered = Rendered(material, r.pairs);
+    const EvaluatedLobes rendered = EvaluatePacket(material, r.pairs);
     MeasureTRT(
         r, [&](size_t i) { return rendered.TRT[i]; }, sideBySide.row);
     return {std::move(sideBySide),

@@ -18,7 +18,7 @@ ReflectanceTable TabulateReflectance(const Material &material, const Reflectance
     tbb::parallel_for(size_t(0), table.angles.size(), [&](size_t i) {
         ReflectanceTable::Angle &angle = table.angles[i];
         angle.theta = options.thetas[i];
-        angle.energy = EnergyFrom(material, Spherical(angle.theta, options.phi), table.lambda,
+        angle.energy = AlbedoFrom(material, Spherical(angle.theta, options.phi), table.lambda,
                                   options.samples);
         const auto &reflected = angle.energy.reflected;
         angle.color = observer.ToXYZ(std::vector<float>(reflected.begin(), reflected.end()));

@@ -15,7 +15,7 @@ struct ReflectanceTable {
     float phi;                  ///< degrees
     struct Angle {
         float theta;  ///< degrees; negative: from the opposite azimuth
-        Energy energy;
+        Albedo energy;
         XYZ color;  ///< under the illuminant, Y = 1 for white
     };
     std::vector<Angle> angles;

@@ -55,7 +55,7 @@ decltype(auto) WithSpectralBSDF(const Material &material, const std::vector<floa
 /// Whether a BSDF tells its R and TRT apart.
 template <typename B>
 inline constexpr bool HasParts = requires(const B &b, Vector3f w) {
-    b.Parts(w, w).TRT;
+    b.Lobes(w, w).TRT;
 };
 
 }  // namespace pbrt::bsdftool

@@ -29,11 +29,11 @@ const std::vector<BenchInput> &TimedInputs() {
     return inputs;
 }
 
-std::vector<WideBenchInput> SideBySide(const std::vector<BenchInput> &inputs) {
-    std::vector<WideBenchInput> wide((inputs.size() + kWide - 1) / kWide);
+std::vector<WideBenchInput> PackInputs(const std::vector<BenchInput> &inputs) {
+    std::vector<WideBenchInput> wide((inputs.size() + kPacketSize - 1) / kPacketSize);
     for (size_t i = 0; i < inputs.size(); ++i) {
-        WideBenchInput &to = wide[i / kWide];
-        const int lane = int(i % kWide);
+        WideBenchInput &to = wide[i / kPacketSize];
+        const int lane = int(i % kPacketSize);
         SetLane(&to.wo, lane, inputs[i].wo);
         SetLane(&to.wi, lane, inputs[i].wi);
         SetLane(&to.uc, lane, inputs[i].uc);
@@ -43,8 +43,8 @@ std::vector<WideBenchInput> SideBySide(const std::vector<BenchInput> &inputs) {
 }
 
 const std::vector<WideBenchInput> &WideTimedInputs() {
-    static const std::vector<WideBenchInput> inputs = SideBySide(TimedInputs());
-    static_assert(kTimedInputs % kWide == 0);
+    static const std::vector<WideBenchInput> inputs = PackInputs(TimedInputs());
+    static_assert(kTimedInputs % kPacketSize == 0);
     return inputs;
 }
 

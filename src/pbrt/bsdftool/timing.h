@@ -47,11 +47,11 @@ struct BenchCase {
 
 /// Pairs, sixteen side by side; the last lanes may be empty.
 struct WideBenchInput {
-    WideVector3f wo{}, wi{};
-    WideFloat uc{};
-    WidePoint2f u{};
+    Vector3fX16 wo{}, wi{};
+    FloatX16 uc{};
+    Point2fX16 u{};
 };
-std::vector<WideBenchInput> SideBySide(const std::vector<BenchInput> &inputs);
+std::vector<WideBenchInput> PackInputs(const std::vector<BenchInput> &inputs);
 const std::vector<WideBenchInput> &WideTimedInputs();
 
 /// Nanoseconds per input of `call` for each of the inputs, `inEach` side by side in every one.
@@ -76,7 +76,7 @@ std::function<double()> Pass(F call) {
 /// As Pass, sixteen inputs a call; ns per input. `call` turns them into numbers by lane.
 template <typename F>
 std::function<double()> WidePass(F call) {
-    return [call]() mutable { return TimeOf<WideFloat>(WideTimedInputs(), kWide, call); };
+    return [call]() mutable { return TimeOf<FloatX16>(WideTimedInputs(), kPacketSize, call); };
 }
 
 /// All timers in turns, three passes each (the first warms the caches), so that a busy machine

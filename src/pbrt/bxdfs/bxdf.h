@@ -21,7 +21,7 @@ enum class BxDFFlags : uint8_t {
     Glossy = 8,
     Specular = 16,
     /// Straight through (wi = -wo): no refraction, no bounce; the path keeps its MIS state.
-    Gap = 32,
+    NullTransmission = 32,
 };
 constexpr BxDFFlags operator|(BxDFFlags a, BxDFFlags b) {
     return BxDFFlags(uint8_t(a) | uint8_t(b));
@@ -51,7 +51,7 @@ struct BSDFSample {
 };
 
 /// f and PDF for the same directions.
-struct FAndPDF {
+struct BSDFEval {
     SampledSpectrum f;
     float pdf;
 };
@@ -61,7 +61,7 @@ struct FAndPDF {
 /// Both are 0 for delta lobes. A BxDF may also have
 ///   void Regularize()  blurs lobes sharper than alpha 0.3 (TrowbridgeReitz), for the integrator's
 ///                      "regularize"; default: nothing here is so sharp
-///   FAndPDF Both(Vector3f wo, Vector3f wi, TransportMode) const
+///   BSDFEval Evaluate(Vector3f wo, Vector3f wi, TransportMode) const
 ///                      f and PDF together; default: one after the other. For those that share
 ///                      much of their work.
 template <typename B>

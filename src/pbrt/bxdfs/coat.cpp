@@ -37,7 +37,7 @@ class Coat::Boundary {
           sinPhi(std::sin(phi)),
           nAzimuths(alphaX == alphaY ? kAzimuths / 2 : kAzimuths) {}
 
-    Shares From(float cosTheta) const {
+    Split From(float cosTheta) const {
         const Vector3f w = Direction(cosTheta);
         double back = 0;
         const double down = OverVisibleNormals(w, [&](Vector3f m) -> double {
@@ -109,11 +109,11 @@ Coat::Coat(float eta, float depth, float alphaX, float alphaY) : Coat(eta, depth
         const float sin2 = (Sqr(AlphaOf(k)) - Sqr(alphaX)) / (Sqr(alphaY) - Sqr(alphaX));
         AddColumn(Boundary(*this, alphaX, alphaY, std::asin(SafeSqrt(std::min(sin2, 1.f)))));
     }
-    Means mean{};
+    Averages mean{};
     for (int i = 0; i < kTurnedColumns; ++i) {
         const float phi = (float(i) + 0.5f) * (Pi / 2 / kTurnedColumns);
         const float alpha = std::hypot(alphaX * std::cos(phi), alphaY * std::sin(phi));
-        const Means one = MeanOver(Boundary(*this, alphaX, alphaY, phi), alpha);
+        const Averages one = MeanOver(Boundary(*this, alphaX, alphaY, phi), alpha);
         mean.down += one.down / kTurnedColumns, mean.returned += one.returned / kTurnedColumns;
     }
     means.assign(size_t(nColumns), mean);
@@ -144,12 +144,12 @@ void Coat::AddColumn(const Boundary &boundary) {
         shares.push_back(boundary.From(Sqr(float(i) / (kCosines - 1))));
 }
 
-Coat::Means Coat::MeanOver(const Boundary &boundary, float alpha) const {
+Coat::Averages Coat::MeanOver(const Boundary &boundary, float alpha) const {
     const double down = OverCosines(0, 256, [&](float c) { return From(c, alpha).down; });
     return {float(down), float(boundary.Returned())};
 }
 
-Coat::Means Coat::SmoothMean() const {
+Coat::Averages Coat::SmoothMean() const {
     const double down = OverCosines(0, 256, [&](float c) { return Smooth(c).down; });
     const double returned = OverCosines(1 - 1 / Sqr(double(eta)), 256, [&](float c) {
         return FrDielectric(c, 1 / eta).R * std::exp(-2 * double(depth) / c);

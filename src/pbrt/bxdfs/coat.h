@@ -25,18 +25,18 @@ class Coat {
 
     static constexpr float kSmooth = 1e-3f, kRoughest = 2;
 
-    /// Shares of the light that comes from one direction outside.
-    struct Shares {
+    /// Split of the light that comes from one direction outside.
+    struct Split {
         float down;  ///< arrives at the base for the first time
         float back;  ///< reflected by the boundary
     };
     /// alpha: width of the facets' slopes in the plane of the direction and the normal.
-    Shares From(float cosTheta, float alpha) const;
+    Split From(float cosTheta, float alpha) const;
     /// The same of light from all directions evenly, and what the base gets back of its own.
-    struct Means {
+    struct Averages {
         float down, returned;
     };
-    Means Mean(float alpha) const;
+    Averages Mean(float alpha) const;
     float Eta() const { return eta; }
 
   private:
@@ -51,23 +51,23 @@ class Coat {
     void SetColumns(float alphaMin, float alphaMax, int n);
     float AlphaOf(int column) const { return Sqr(rootMin + float(column) * rootStep); }
     void AddColumn(const Boundary &boundary);
-    Means MeanOver(const Boundary &boundary, float alpha) const;
-    Shares Smooth(float cosTheta) const;
-    Means SmoothMean() const;
+    Averages MeanOver(const Boundary &boundary, float alpha) const;
+    Split Smooth(float cosTheta) const;
+    Averages SmoothMean() const;
     /// Where alpha lies between columns, which are evenly spaced in its root.
     Column ColumnOf(float alpha) const;
-    Shares InColumn(int column, float cosTheta) const;
+    Split InColumn(int column, float cosTheta) const;
 
     float eta, depth;
     float smoothBelow = kSmooth;
     float rootMin = 0, rootStep = 1;
     int nColumns = 0;
-    std::vector<Shares> shares;  ///< kCosines per column
-    std::vector<Means> means;    ///< per column
-    Means smoothMean{};
+    std::vector<Split> shares;    ///< kCosines per column
+    std::vector<Averages> means;  ///< per column
+    Averages smoothMean{};
 };
 
-inline Coat::Shares Coat::Smooth(float cosTheta) const {
+inline Coat::Split Coat::Smooth(float cosTheta) const {
     const float cos_t = CosTransmitted(cosTheta, eta);
     const auto [R, T] = FrDielectric(cosTheta, cos_t, eta);
     return {cos_t > 0 ? T * std::exp(-depth / cos_t) : 0, R};
@@ -79,29 +79,29 @@ inline Coat::Column Coat::ColumnOf(float alpha) const {
     return {first, x - float(first)};
 }
 
-inline Coat::Shares Coat::InColumn(int column, float cosTheta) const {
+inline Coat::Split Coat::InColumn(int column, float cosTheta) const {
     const float x = std::sqrt(std::min(cosTheta, 1.f)) * (kCosines - 1);
     const int i = std::min(int(x), kCosines - 2);
     const float t = x - float(i);
-    const Shares &a = shares[size_t(column * kCosines + i)], &b = (&a)[1];
+    const Split &a = shares[size_t(column * kCosines + i)], &b = (&a)[1];
     return {Lerp(t, a.down, b.down), Lerp(t, a.back, b.back)};
 }
 
-inline Coat::Shares Coat::From(float cosTheta, float alpha) const {
+inline Coat::Split Coat::From(float cosTheta, float alpha) const {
     if (alpha < smoothBelow) return Smooth(cosTheta);
     const auto [first, t] = ColumnOf(alpha);
-    const Shares a = InColumn(first, cosTheta);
+    const Split a = InColumn(first, cosTheta);
     if (t == 0) return a;
-    const Shares b = InColumn(first + 1, cosTheta);
+    const Split b = InColumn(first + 1, cosTheta);
     return {Lerp(t, a.down, b.down), Lerp(t, a.back, b.back)};
 }
 
-inline Coat::Means Coat::Mean(float alpha) const {
+inline Coat::Averages Coat::Mean(float alpha) const {
     if (alpha < smoothBelow) return smoothMean;
     const auto [first, t] = ColumnOf(alpha);
-    const Means &a = means[size_t(first)];
+    const Averages &a = means[size_t(first)];
     if (t == 0) return a;
-    const Means &b = means[size_t(first + 1)];
+    const Averages &b = means[size_t(first + 1)];
     return {Lerp(t, a.down, b.down), Lerp(t, a.returned, b.returned)};
 }
 

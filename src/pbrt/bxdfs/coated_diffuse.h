@@ -40,11 +40,11 @@ class CoatedDiffuseBxDF {
     }
     SampledSpectrum f(Vector3f wo, Vector3f wi, TransportMode) const {
         if (!SameHemisphere(wo, wi)) return SampledSpectrum(0);
-        return Value(SharesFrom(wo), wo, wi);
+        return Value(SplitFrom(wo), wo, wi);
     }
     float PDF(Vector3f wo, Vector3f wi, TransportMode) const {
         if (!SameHemisphere(wo, wi)) return 0;
-        return Density(SharesFrom(wo), wo, wi);
+        return PDF(SplitFrom(wo), wo, wi);
     }
     std::optional<BSDFSample> Sample_f(Vector3f wo, float uc, Point2f u, TransportMode) const;
 
@@ -55,7 +55,7 @@ class CoatedDiffuseBxDF {
     }
 
   private:
-    Coat::Shares SharesFrom(Vector3f w) const {
+    Coat::Split SplitFrom(Vector3f w) const {
         return coat->From(AbsCosTheta(w), alphaX == alphaY ? alphaX : AlphaTowards(w));
     }
     /// Width of the facets' slopes in the plane of w and the normal.
@@ -63,12 +63,12 @@ class CoatedDiffuseBxDF {
         const float x = Sqr(w.x), y = Sqr(w.y), across = x + y;
         return across > 0 ? std::sqrt((Sqr(alphaX) * x + Sqr(alphaY) * y) / across) : meanAlpha;
     }
-    float ChanceOfLobe(const Coat::Shares &o) const {
+    float ChanceOfLobe(const Coat::Split &o) const {
         const float both = o.back + o.down * mattAlbedo;
         return both > 0 ? o.back / both : 1;
     }
-    SampledSpectrum Value(const Coat::Shares &o, Vector3f wo, Vector3f wi) const;
-    float Density(const Coat::Shares &o, Vector3f wo, Vector3f wi) const;
+    SampledSpectrum Value(const Coat::Split &o, Vector3f wo, Vector3f wi) const;
+    float PDF(const Coat::Split &o, Vector3f wo, Vector3f wi) const;
 
     const Coat *coat;
     float alphaX, alphaY, meanAlpha;  ///< as made
@@ -79,9 +79,9 @@ class CoatedDiffuseBxDF {
 };
 static_assert(BxDFModel<CoatedDiffuseBxDF>);
 
-inline SampledSpectrum CoatedDiffuseBxDF::Value(const Coat::Shares &o, Vector3f wo,
+inline SampledSpectrum CoatedDiffuseBxDF::Value(const Coat::Split &o, Vector3f wo,
                                                 Vector3f wi) const {
-    const SampledSpectrum below = (o.down * SharesFrom(wi).down) * matt;
+    const SampledSpectrum below = (o.down * SplitFrom(wi).down) * matt;
     if (isSmooth) return below;
     const Vector3f h = wo + wi;
     const float cosine = std::min(1.f, Dot(wo, h) / Length(h));
@@ -89,7 +89,7 @@ inline SampledSpectrum CoatedDiffuseBxDF::Value(const Coat::Shares &o, Vector3f 
     return below + SampledSpectrum(0.25f * R * facets.D(h) * facets.GOverCosines(wo, wi));
 }
 
-inline float CoatedDiffuseBxDF::Density(const Coat::Shares &o, Vector3f wo, Vector3f wi) const {
+inline float CoatedDiffuseBxDF::PDF(const Coat::Split &o, Vector3f wo, Vector3f wi) const {
     const float lobe = ChanceOfLobe(o), below = (1 - lobe) * CosineHemispherePDF(AbsCosTheta(wi));
     if (isSmooth) return below;
     return below + lobe * 0.25f * facets.D(wo + wi) * facets.G1OverCosine(wo);
@@ -98,7 +98,7 @@ inline float CoatedDiffuseBxDF::Density(const Coat::Shares &o, Vector3f wo, Vect
 inline std::optional<BSDFSample> CoatedDiffuseBxDF::Sample_f(Vector3f wo, float uc, Point2f u,
                                                              TransportMode) const {
     if (wo.z == 0) return {};
-    const Coat::Shares o = SharesFrom(wo);
+    const Coat::Split o = SplitFrom(wo);
     const float lobe = ChanceOfLobe(o);
     Vector3f wi;
     BxDFFlags flags = BxDFFlags::Reflection;
@@ -118,7 +118,7 @@ inline std::optional<BSDFSample> CoatedDiffuseBxDF::Sample_f(Vector3f wo, float 
         flags = flags | BxDFFlags::Glossy;
     }
     if (!SameHemisphere(wo, wi)) return {};
-    const float pdf = Density(o, wo, wi);
+    const float pdf = PDF(o, wo, wi);
     const SampledSpectrum f = Value(o, wo, wi);
     if (!(pdf > 0) || !f) return {};
     return BSDFSample{f, wi, pdf, flags};

@@ -29,12 +29,12 @@ class FeatherBarbuleBxDF {
         return SampledSpectrum(barbule.f(Local(wo), Local(wi)));
     }
     float PDF(Vector3f wo, Vector3f wi, TransportMode) const {
-        return barbule.Pdf(barbule.SeenFrom(Local(wo)), Local(wi));
+        return barbule.PDF(barbule.SeenFrom(Local(wo)), Local(wi));
     }
-    FAndPDF Both(Vector3f wo, Vector3f wi, TransportMode) const {
+    BSDFEval Evaluate(Vector3f wo, Vector3f wi, TransportMode) const {
         const auto view = barbule.SeenFrom(Local(wo));
         const auto in = Local(wi);
-        return {SampledSpectrum(barbule.f(view, in)), barbule.Pdf(view, in)};
+        return {SampledSpectrum(barbule.f(view, in)), barbule.PDF(view, in)};
     }
     std::optional<BSDFSample> Sample_f(Vector3f wo, float uc, Point2f u, TransportMode) const {
         const auto s = barbule.Sample_f(barbule.SeenFrom(Local(wo)), uc, u.x, u.y);
@@ -42,15 +42,16 @@ class FeatherBarbuleBxDF {
         const Vector3f wi{s->wi.x, s->wi.y, s->wi.z};
         const BxDFFlags side =
             SameHemisphere(wo, wi) ? BxDFFlags::Reflection : BxDFFlags::Transmission;
-        return BSDFSample{SampledSpectrum(s->f), wi, s->pdf,
-                          s->isGap ? BxDFFlags::Transmission | BxDFFlags::Specular | BxDFFlags::Gap
-                                   : side | BxDFFlags::Glossy};
+        return BSDFSample{
+            SampledSpectrum(s->f), wi, s->pdf,
+            s->isGap ? BxDFFlags::Transmission | BxDFFlags::Specular | BxDFFlags::NullTransmission
+                     : side | BxDFFlags::Glossy};
     }
     /// The two terms of f by themselves.
     struct LobeValues {
         SampledSpectrum R, TRT;
     };
-    LobeValues Parts(Vector3f wo, Vector3f wi) const {
+    LobeValues Lobes(Vector3f wo, Vector3f wi) const {
         const auto view = barbule.SeenFrom(Local(wo));
         return {SampledSpectrum(barbule.R(view, Local(wi))),
                 SampledSpectrum(barbule.TRT(view, Local(wi)))};

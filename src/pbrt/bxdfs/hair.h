@@ -40,7 +40,7 @@ class HairBxDF {
         const View view = SeenFrom(wo);
         return SumOf(Densities(view, InclinationOf(wi), Azimuth(wo, wi)) * view.chance);
     }
-    FAndPDF Both(Vector3f wo, Vector3f wi, TransportMode) const {
+    BSDFEval Evaluate(Vector3f wo, Vector3f wi, TransportMode) const {
         const View view = SeenFrom(wo);
         const Lanes densities = Densities(view, InclinationOf(wi), Azimuth(wo, wi));
         return {Sum(view, densities, wi), SumOf(densities * view.chance)};
@@ -130,9 +130,9 @@ inline void HairBxDF::SetAttenuation(View *view, float sin_o, float cos_o, float
 
 inline Lanes HairBxDF::Densities(const View &view, Point2f i, float azimuth) const {
     constexpr float kTurn = 2 * Pi;
-    const Lanes along = longitudinal.Density({Broadcast(i.x), Broadcast(i.y)}, view.tilted);
+    const Lanes along = longitudinal.PDF({Broadcast(i.x), Broadcast(i.y)}, view.tilted);
     const Lanes off = azimuth - view.phi;
-    const Lanes around = azimuthal.Density(off - Round(off * (1 / kTurn)) * kTurn);
+    const Lanes around = azimuthal.PDF(off - Round(off * (1 / kTurn)) * kTurn);
     return along * Lanes{around[0], around[1], around[2], 1 / kTurn};
 }
 

@@ -16,7 +16,7 @@ class TrimmedLogistic {
     explicit TrimmedLogistic(float s) : s(s), mass(std::tanh(Pi / (2 * s))), peak(1 / (s * mass)) {}
 
     /// Density of an angle in [-pi, pi].
-    Lanes Density(Lanes x) const {
+    Lanes PDF(Lanes x) const {
         const Lanes e = Exp(Max(Abs(x) * (-1 / s), Broadcast(kFloor)));
         return peak * e / ((1 + e) * (1 + e));
     }
@@ -51,7 +51,7 @@ class Longitudinal {
           tail(Exp(-2 * inverse)),
           scale(inverse / (1 - tail)) {}
 
-    Lanes Density(Inclination i, Inclination o) const {
+    Lanes PDF(Inclination i, Inclination o) const {
         const Lanes a = i.cos * o.cos * inverse;
         const Lanes dCos = i.cos - o.cos, dSin = i.sin + o.sin;
         const Lanes E = (dCos * dCos + dSin * dSin) * (-0.5f * inverse);

@@ -8,20 +8,20 @@ namespace pbrt {
 namespace {
 
 constexpr std::array<std::string_view, 2> kNames{"perspective", "orthographic"};
-constexpr NumberRow kFov{"fov", "deg", 90, 1e-3f, 179.9f, "field of view of the shorter axis"};
-constexpr NumberRow kLensRadius{"lensradius", "", 0, 0, kFarthest, "radius of the thin lens"};
-constexpr NumberRow kFocalDistance{
+constexpr FloatParam kFov{"fov", "deg", 90, 1e-3f, 179.9f, "field of view of the shorter axis"};
+constexpr FloatParam kLensRadius{"lensradius", "", 0, 0, kFarthest, "radius of the thin lens"};
+constexpr FloatParam kFocalDistance{
     "focaldistance", "", 1e6f, kShortestVector, kLongestVector, "distance of the plane in focus"};
-constexpr NumberRow kAspect{"frameaspectratio", "", 1, 1e-6f, 1e6f, "width over height"};
-constexpr NumberRow kShutterOpen{"shutteropen", "", 0, -1e30f, 1e30f, "time"};
-constexpr NumberRow kShutterClose{"shutterclose", "", 1, -1e30f, 1e30f, "time"};
+constexpr FloatParam kAspect{"frameaspectratio", "", 1, 1e-6f, 1e6f, "width over height"};
+constexpr FloatParam kShutterOpen{"shutteropen", "", 0, -1e30f, 1e30f, "time"};
+constexpr FloatParam kShutterClose{"shutterclose", "", 1, -1e30f, 1e30f, "time"};
 
 struct ScreenWindow {
     float x0, x1, y0, y1;
 };
 
 ScreenWindow ReadScreenWindow(ParamDict &params, Point2i resolution) {
-    NumberRow row = kAspect;
+    FloatParam row = kAspect;
     row.def = float(resolution.x) / resolution.y;
     const float aspect = params.GetOneFloat(row);
     ScreenWindow w = aspect > 1 ? ScreenWindow{-aspect, aspect, -1, 1}
@@ -65,7 +65,7 @@ bool Camera::SetOrigins(Point2i resolution) {
     return safe && IsInRange(origins);
 }
 
-Camera Camera::Create(const Description &scene, Point2i resolution, Diagnostics &log) {
+Camera Camera::Create(const SceneDescription &scene, Point2i resolution, Diagnostics &log) {
     const std::string type = scene.camera.type.empty() ? "perspective" : scene.camera.type;
     ParamDict params(scene.camera.params, scene.camera.loc, fmt::format("camera \"{}\"", type),
                      scene.camera.colorSpace, &log, scene.dir);

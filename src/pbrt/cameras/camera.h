@@ -16,7 +16,7 @@ namespace pbrt {
 class Camera {
   public:
     /// Errors go to the log; the camera is usable all the same. `resolution` of the full film.
-    static Camera Create(const Description &scene, Point2i resolution, Diagnostics &log);
+    static Camera Create(const SceneDescription &scene, Point2i resolution, Diagnostics &log);
 
     /// `film` in pixels of the full picture, `lens` and `time` in [0, 1). d is unit. The ray's time
     /// runs from 0 at TransformTimes' start to 1 at its end and stays there before and after.
@@ -32,11 +32,11 @@ class Camera {
         return {o, Normalize(d), Infinity, TimeAt(time)};
     }
     /// The same sixteen times.
-    RayPacket GenerateRays(const WidePoint2f &film, const WidePoint2f &lens,
-                           const WideFloat &time) const {
+    RayPacket GenerateRays(const Point2fX16 &film, const Point2fX16 &lens,
+                           const FloatX16 &time) const {
         if (lensRadius > 0) {
             RayPacket rays;
-            for (int i = 0; i < kWide; ++i)
+            for (int i = 0; i < kPacketSize; ++i)
                 rays.Set(i, GenerateRay(Lane(film, i), Lane(lens, i), time[i]));
             return rays;
         }

@@ -8,15 +8,15 @@
 #include <filesystem>
 #include <functional>
 
+#include "pbrt/build/build_scene.h"
 #include "pbrt/cli/interrupts.h"
 #include "pbrt/cli/main.h"
 #include "pbrt/cli/options.h"
 #include "pbrt/cli/threads.h"
 #include "pbrt/cli/tool.h"
-#include "pbrt/cpu/build.h"
-#include "pbrt/cpu/mse_log.h"
-#include "pbrt/cpu/progress.h"
-#include "pbrt/cpu/statistics.h"
+#include "pbrt/render/mse_log.h"
+#include "pbrt/render/progress.h"
+#include "pbrt/render/statistics.h"
 #include "pbrt/util/atomic_file.h"
 #include "pbrt/util/say.h"
 #include "pbrt/util/write_all.h"
@@ -137,7 +137,7 @@ struct Times {
 };
 
 /// Rendering time and camera go into the picture's metadata, as pbrt writes them.
-Image Finished(const World &world, const RenderStats &stats) {
+Image Finished(const RenderScene &world, const RenderStats &stats) {
     Image image = world.film.ToImage();
     image.metadata.renderTimeSeconds = float(stats.seconds);
     // The mean where --target-error stops tiles.
@@ -147,14 +147,14 @@ Image Finished(const World &world, const RenderStats &stats) {
     return image;
 }
 
-void PrintRemarks(const World &world) {
+void PrintRemarks(const RenderScene &world) {
     const auto print = [](const std::string &remarks) {
         if (!remarks.empty()) Say(fmt::format("Warning: {}\n", remarks));
     };
     for (const Material &m : world.materials)
-        print(Remarks(m));
+        print(Warnings(m));
     for (const MixMaterial &m : world.mixes)
-        print(m.Remarks());
+        print(m.Warnings());
 }
 
 /// Statistics to where they are wanted; the exit code.
@@ -171,7 +171,7 @@ int Stopped(const cli::Interrupts::Caught &by) {
 }
 
 /// Reports what is wrong with the files that the error is to be told by.
-std::optional<MseLog> OpenMseLog(const World &world, Diagnostics &log) {
+std::optional<MseLog> OpenMseLog(const RenderScene &world, Diagnostics &log) {
     std::optional<MseLog> mse = MseLog::Create(world.options, world.film, log);
     if (mse && world.targetError > 0)
         log.Error({},
@@ -180,7 +180,7 @@ std::optional<MseLog> OpenMseLog(const World &world, Diagnostics &log) {
     return mse;
 }
 
-int RenderAndWrite(World &world, const Arguments &a, const Times &times,
+int RenderAndWrite(RenderScene &world, const Arguments &a, const Times &times,
                    std::optional<MseLog> &mse) {
     for (const std::string &file : {world.film.FileName(), a.statsFile})
         if (const auto why = file.empty() ? std::nullopt : WhyNotWritable(file))
@@ -219,13 +219,13 @@ int Main(cli::Args words) {
     Times times;
     Diagnostics log;
     if (threads.remark) log.Warning({}, *threads.remark);
-    Description scene;
+    SceneDescription scene;
     scene.options = a.options;
     auto start = std::chrono::steady_clock::now();
     ParseFiles(a.files, scene, log);
     times.parse = Seconds(start);
     start = std::chrono::steady_clock::now();
-    const std::unique_ptr<World> world = BuildWorld(scene, a.overrides, log);
+    const std::unique_ptr<RenderScene> world = BuildScene(scene, a.overrides, log);
     times.build = Seconds(start);
     std::optional<MseLog> mse;
     if (world) mse = OpenMseLog(*world, log);

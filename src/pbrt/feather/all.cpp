@@ -40,7 +40,7 @@ template class Barbule<double, 4, Converged<16, 32>>;
 using Sixteen = Lanes<float>;
 template std::array<Sixteen, 4> Barbule<Sixteen, 4>::f(const View<Sixteen> &,
                                                        const Direction<Sixteen> &) const;
-template Sixteen Barbule<Sixteen, 4>::Pdf(const View<Sixteen> &, const Direction<Sixteen> &) const;
+template Sixteen Barbule<Sixteen, 4>::PDF(const View<Sixteen> &, const Direction<Sixteen> &) const;
 
 static_assert([] {
     for (const Param &p : kParams)

@@ -90,7 +90,7 @@ class Barbule {
 
     /// Density with which SampleDirection draws wi, 1/sr, the gap's delta apart; its integral is
     /// 1 - (1 - p_t) GapFraction(wo). Exact for every opening.
-    V Pdf(const View<V> &view, const Direction<V> &wi) const {
+    V PDF(const View<V> &view, const Direction<V> &wi) const {
         const Mask dark = view.grazing | Grazing(wi);
         if (All(dark)) return V(0);
         const V reflected = MirrorDensity(view.wo, wi);
@@ -129,7 +129,7 @@ class Barbule {
         if (view.grazing) return {};
         const Drawn drawn = Draw(view, uc, u0, u1);
         if (drawn.isGap) return GapSample(view);
-        Sample<T, N> sample{drawn.wi, {}, Pdf(view, drawn.wi), false};
+        Sample<T, N> sample{drawn.wi, {}, PDF(view, drawn.wi), false};
         if (sample.pdf == 0) return {};
         return sample;
     }

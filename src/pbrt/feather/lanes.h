@@ -59,7 +59,7 @@ T SignOf(T x) {
 }
 /// x, or -x where y is below 0 or is -0.
 template <std::floating_point T>
-T TimesSignOf(T x, T y) {
+T MulSign(T x, T y) {
     return x * SignOf(y);
 }
 template <std::floating_point T>
@@ -194,7 +194,7 @@ template <std::floating_point T>
 }
 /// Element l / shares of sixteen numbers in each lane l.
 template <int shares>
-[[gnu::always_inline]] inline LaneIndex Spread(const int32_t *numbers) {
+[[gnu::always_inline]] inline LaneIndex Repeat(const int32_t *numbers) {
     int32_t to[kLanes];
     for (int l = 0; l < kLanes; ++l)
         to[l] = numbers[l / shares];
@@ -203,7 +203,7 @@ template <int shares>
 
 /// from[index] in each lane.
 template <std::floating_point T>
-[[gnu::always_inline]] inline Lanes<T> Taken(const Lanes<T> &from, const LaneIndex &index) {
+[[gnu::always_inline]] inline Lanes<T> Permute(const Lanes<T> &from, const LaneIndex &index) {
 #if defined(__AVX512F__)
     if constexpr (std::is_same_v<T, float>)
         return Lanes<T>::FromRegister(std::bit_cast<typename Lanes<T>::Register>(
@@ -230,7 +230,7 @@ template <class... Vs>
 void TakeLanes(const std::tuple<Vs &...> &fields, const std::tuple<const Vs &...> &from,
                const LaneIndex &index) {
     [&]<std::size_t... i>(std::index_sequence<i...>) {
-        ((std::get<i>(fields) = Taken(std::get<i>(from), index)), ...);
+        ((std::get<i>(fields) = Permute(std::get<i>(from), index)), ...);
     }
     (std::index_sequence_for<Vs...>());
 }

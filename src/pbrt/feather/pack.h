@@ -130,7 +130,7 @@ struct Pack {
             [](auto x) { return Register(IntRegister(x) & ~IntRegister(-Register{})); }, a);
     }
     /// x, or -x where y is below 0 or is -0.
-    [[gnu::always_inline]] friend Pack TimesSignOf(const Pack &x, const Pack &y) {
+    [[gnu::always_inline]] friend Pack MulSign(const Pack &x, const Pack &y) {
         return Each<Pack>(
             [](auto a, auto b) {
                 return Register(IntRegister(a) ^ (IntRegister(b) & IntRegister(-Register{})));
@@ -147,13 +147,13 @@ struct Pack {
             a);
     }
     [[gnu::always_inline]] friend Pack Sqrt(const Pack &a) {
-        return EachOfEach([](T e) { return std::sqrt(e); }, a);
+        return MapElements([](T e) { return std::sqrt(e); }, a);
     }
     [[gnu::always_inline]] friend Pack Rint(const Pack &a) {
-        return EachOfEach([](T e) { return std::rint(e); }, a);
+        return MapElements([](T e) { return std::rint(e); }, a);
     }
     [[gnu::always_inline]] friend Pack Sin(const Pack &a) {
-        return EachOfEach([](T e) { return std::sin(e); }, a);
+        return MapElements([](T e) { return std::sin(e); }, a);
     }
 
     /// Element k of the result is element from(k) of a. What goes into one register comes from one
@@ -204,7 +204,7 @@ struct Pack {
     }
     /// operation(element) for each element.
     template <class Operation>
-    [[gnu::always_inline]] static Pack EachOfEach(Operation operation, const Pack &a) {
+    [[gnu::always_inline]] static Pack MapElements(Operation operation, const Pack &a) {
         return EachOfEachBy(operation, a, kIndices);
     }
     template <class Operation, int... k>

@@ -19,15 +19,15 @@ template <int m, std::floating_point T, int n, int bytes>
 
 /// The halves of a pack in each other's place; either half in both places.
 template <class Pack>
-[[gnu::always_inline]] inline Pack HalvesSwapped(const Pack &a) {
+[[gnu::always_inline]] inline Pack SwapHalves(const Pack &a) {
     return Permuted(a, [](int k) { return (k + Pack::kSize / 2) % Pack::kSize; });
 }
 template <class Pack>
-[[gnu::always_inline]] inline Pack FirstHalfTwice(const Pack &a) {
+[[gnu::always_inline]] inline Pack DuplicateLow(const Pack &a) {
     return Permuted(a, [](int k) { return k % (Pack::kSize / 2); });
 }
 template <class Pack>
-[[gnu::always_inline]] inline Pack SecondHalfTwice(const Pack &a) {
+[[gnu::always_inline]] inline Pack DuplicateHigh(const Pack &a) {
     return Permuted(a, [](int k) { return Pack::kSize / 2 + k % (Pack::kSize / 2); });
 }
 /// a in the first half, b in the second.

@@ -38,15 +38,15 @@ struct GridRule {
     std::array<Group, kGroups> groups;
 };
 
-/// Gauss by Gauss. `Dealt`: the points are one Gauss rule of Segments * Points, dealt to the
-/// segments in turn: as good along the cross-section as that many in every segment, where these
-/// differ little.
-template <std::floating_point T, int Segments, int Points, bool Dealt>
+/// Gauss by Gauss. `Interleaved`: the points are one Gauss rule of Segments * Points, interleaved
+/// to the segments in turn: as good along the cross-section as that many in every segment, where
+/// these differ little.
+template <std::floating_point T, int Segments, int Points, bool Interleaved>
 constexpr GridRule<T, Segments, Points> MakeGridRule() {
     constexpr auto segments = MakeGaussLegendre<T, Segments>();
     GridRule<T, Segments, Points> rule{};
     constexpr int n = rule.kAtOnce;
-    static_assert(!Dealt || Segments % n == 0);
+    static_assert(!Interleaved || Segments % n == 0);
     for (int g = 0; g < rule.kGroups; ++g) {
         auto &group = rule.groups[g];
         for (int k = 0; k < 2 * n; ++k) {
@@ -56,7 +56,7 @@ constexpr GridRule<T, Segments, Points> MakeGridRule() {
             group.segmentWeight[k] = segments.weight[from];
         }
         for (int k = 0; k < n * Points; ++k) {
-            const auto point = PointOf<T, Segments, Points, Dealt>(g * n + k % n, k / n);
+            const auto point = PointOf<T, Segments, Points, Interleaved>(g * n + k % n, k / n);
             group.point[k] = point.node;
             group.weight[k] = point.weight;
         }
@@ -64,8 +64,8 @@ constexpr GridRule<T, Segments, Points> MakeGridRule() {
     return rule;
 }
 
-template <std::floating_point T, int Segments, int Points, bool Dealt>
-inline constexpr auto kGridRule = MakeGridRule<T, Segments, Points, Dealt>();
+template <std::floating_point T, int Segments, int Points, bool Interleaved>
+inline constexpr auto kGridRule = MakeGridRule<T, Segments, Points, Interleaved>();
 
 /// The integral of TRT (see PigmentIntegral) by a rule known at compile time.
 template <int Segments, int Points, std::floating_point T, std::size_t N>
@@ -96,8 +96,8 @@ void PigmentByRule(const Row<T> &row, const Bend<T> &bend, const std::array<Film
         const PigmentNodes<Nodes> nodes(
             {repeat(arcs.middle.n), repeat(arcs.middle.x)}, repeat(arcs.chord),
             repeat(arcs.chord * (rate * Sides::At(group.segmentWeight.data()))),
-            {repeat(FirstHalfTwice(views.axes.n)), repeat(FirstHalfTwice(views.axes.x))},
-            {repeat(SecondHalfTwice(views.axes.n)), repeat(SecondHalfTwice(views.axes.x))},
+            {repeat(DuplicateLow(views.axes.n)), repeat(DuplicateLow(views.axes.x))},
+            {repeat(DuplicateHigh(views.axes.n)), repeat(DuplicateHigh(views.axes.x))},
             row.Aspect(), squash);
         for (int from = 0; from < kNodes; from += kAtOnce) {
             const auto at = nodes.At(Nodes::At(&group.point[from]), Nodes::At(&group.weight[from]));
@@ -114,13 +114,14 @@ void PigmentByRule(const Row<T> &row, const Bend<T> &bend, const std::array<Film
 }
 
 /// A quadrature for Barbule: always the same rule.
-template <int Segments, int Points, bool Dealt>
+template <int Segments, int Points, bool Interleaved>
 struct FixedRule {
     template <std::floating_point T, std::size_t N>
     static void Integrate(const Row<T> &row, const Bend<T> &bend,
                           const std::array<Film<T>, N> &films, const Direction<T> &wo,
                           const Direction<T> &wi, std::array<T, N> *integral) {
-        PigmentByRule(row, bend, films, wo, wi, kGridRule<T, Segments, Points, Dealt>, integral);
+        PigmentByRule(row, bend, films, wo, wi, kGridRule<T, Segments, Points, Interleaved>,
+                      integral);
     }
 };
 

@@ -72,8 +72,8 @@ class PigmentOfLanes {
     /// Nodes and weights in the bend, by some number.
     struct Table {
         Numbers node{}, weight{};
-        V NodeAt(const LaneIndex &index) const { return Taken(V::At(node.data()), index); }
-        V WeightAt(const LaneIndex &index) const { return Taken(V::At(weight.data()), index); }
+        V NodeAt(const LaneIndex &index) const { return Permute(V::At(node.data()), index); }
+        V WeightAt(const LaneIndex &index) const { return Permute(V::At(weight.data()), index); }
     };
     template <int n>
     static constexpr void Copy(int segment, Table *to, int place) {
@@ -140,10 +140,10 @@ class PigmentOfLanes {
     void AddFirst(const MaskOf<V> &on) {
         const auto two = choice.segments == 2;
         const auto pointAt = [&](int j) __attribute__((always_inline)) {
-            const RulePoint<T> dealt = kDealt<Points>[k][j],
+            const RulePoint<T> interleaved = kInterleaved<Points>[k][j],
                                own = PointOf<T, 1, Points, false>(0, j);
-            return std::pair{Select(two, V(dealt.node), V(own.node)),
-                             Select(two, V(dealt.weight), V(own.weight))};
+            return std::pair{Select(two, V(interleaved.node), V(own.node)),
+                             Select(two, V(interleaved.weight), V(own.weight))};
         };
         const LaneIndex index = IndexOf(choice.segments);
         std::array<V, N> more;
@@ -154,7 +154,7 @@ class PigmentOfLanes {
             sums[i] = Select(on, sums[i] + more[i], sums[i]);
     }
     template <int Points>
-    static constexpr auto kDealt = [] {
+    static constexpr auto kInterleaved = [] {
         std::array<std::array<RulePoint<T>, Points>, 2> points{};
         for (int k = 0; k < 2; ++k)
             for (int j = 0; j < Points; ++j)
@@ -190,10 +190,10 @@ class PigmentOfLanes {
     /// `count` segments, each by `Shares` lanes.
     template <int Points, int Shares>
     [[gnu::noinline]] void AddGathered(const int32_t *pair, const int32_t *segment, int count) {
-        const LaneIndex pairOf = Spread<Shares>(pair), segmentOf = Spread<Shares>(segment);
+        const LaneIndex pairOf = Repeat<Shares>(pair), segmentOf = Repeat<Shares>(segment);
         Row<V> rowThere;
         Pairs there;
-        std::array<TwicePassed<V>, N> filmsThere;
+        std::array<RoundTripTransmittance<V>, N> filmsThere;
         TakeLanes(rowThere.Fields(), row.Fields(), pairOf);
         TakeLanes(there.Fields(), std::as_const(pairs).Fields(), pairOf);
         for (std::size_t i = 0; i < N; ++i)

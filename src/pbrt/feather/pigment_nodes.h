@@ -43,9 +43,7 @@ struct Bearing {
     }
     /// The same point's of the other direction, along the same g.
     [[gnu::always_inline]] Bearing OtherSide() const {
-        return {{HalvesSwapped(point.n), HalvesSwapped(point.x)},
-                HalvesSwapped(across),
-                HalvesSwapped(along)};
+        return {{SwapHalves(point.n), SwapHalves(point.x)}, SwapHalves(across), SwapHalves(along)};
     }
     [[gnu::always_inline]] friend auto Before(const Bearing &a, const Bearing &b) {
         return a.across * b.along < b.across * a.along;
@@ -127,7 +125,7 @@ template <class Sides, std::floating_point T>
     // What faces both directions is within a right angle of g; tangents are compared.
     const BearingScale<Sides> scale(view);
     const Sides u_n = view.image.n * scale.perReach, u_x = view.image.x * scale.perReach;
-    const Planar<Sides> g{u_n + HalvesSwapped(u_n), u_x + HalvesSwapped(u_x)};
+    const Planar<Sides> g{u_n + SwapHalves(u_n), u_x + SwapHalves(u_x)};
     using At = Bearing<Sides>;
     const At first = At::Of(g, views.first, scale.least), last = At::Of(g, views.last, scale.least);
     return CommonArcsOf(g, first, first.OtherSide(), last, last.OtherSide(), squash);

@@ -29,23 +29,23 @@ inline constexpr std::array<RulePoint<double>, 4> kFittedPoints{{{-0.96832343, 0
                                                                  {0.21012308, 0.81861817},
                                                                  {0.82849701, 0.40368949}}};
 
-/// Of `Points` in each of `Segments`. Dealt: they are one rule of Segments * Points, dealt to the
-/// segments in turn: kFittedPoints where these are as many, else Gauss.
-template <std::floating_point T, int Segments, int Points, bool Dealt>
+/// Of `Points` in each of `Segments`. Interleaved: they are one rule of Segments * Points,
+/// interleaved to the segments in turn: kFittedPoints where these are as many, else Gauss.
+template <std::floating_point T, int Segments, int Points, bool Interleaved>
 constexpr RulePoint<T> PointOf(int segment, int point) {
-    if constexpr (Dealt && Segments == 2 && Points == int(kFittedPoints.size())) {
+    if constexpr (Interleaved && Segments == 2 && Points == int(kFittedPoints.size())) {
         const auto [node, weight] = kFittedPoints[segment == 0 ? point : Points - 1 - point];
         return {T(segment == 0 ? node : -node), T(weight)};
     } else {
-        constexpr int kAll = Dealt ? Segments * Points : Points;
+        constexpr int kAll = Interleaved ? Segments * Points : Points;
         constexpr auto &rule = kGaussLegendre<T, kAll>;
-        const int k = Dealt ? point * Segments + segment : point;
-        return {rule.node[k], rule.weight[k] * (Dealt ? Segments : 1)};
+        const int k = Interleaved ? point * Segments + segment : point;
+        return {rule.node[k], rule.weight[k] * (Interleaved ? Segments : 1)};
     }
 }
 
-/// Which rule integrates TRT of a pair of directions (or each pair of Lanes): 2 segments with dealt
-/// points, or 3, 4, 6 or 8 segments; 4, 8 or 16 points in each.
+/// Which rule integrates TRT of a pair of directions (or each pair of Lanes): 2 segments with
+/// interleaved points, or 3, 4, 6 or 8 segments; 4, 8 or 16 points in each.
 ///
 /// More segments where the arc is bent or seen along its slope, so that they differ more; most
 /// where one end is seen nearly edge-on, for what is seen there goes like a root. More points where

@@ -128,7 +128,7 @@ class Row {
         const Beam<V> b = BeamAlong(w);
         const V beside = Max(V(0), b.reach - b.shift * ScalarOf<V>(0.5));
         const V middle =
-            Select(2 * b.shift > stepSqr * b.reach, midSlope * b.z, TimesSignOf(beside, b.z));
+            Select(2 * b.shift > stepSqr * b.reach, midSlope * b.z, MulSign(beside, b.z));
         const RowView<V> view{b.image, b.reach, b.shift, V(0), V(0)};
         return {view.ScaledPointAt(-middle), b.reach * b.reach};
     }
@@ -167,7 +167,7 @@ class Row {
     [[gnu::always_inline]] Beam<U> BeamAlong(const Planar<U> &w) const {
         const Planar<U> axes = ToAxes(w);
         const U n = axes.n * inverseAspect, x = axes.x, d = stride * w.n;
-        return {{n, x}, Sqrt(n * n + x * x), Abs(d), TimesSignOf(step.n * n + step.x * x, d)};
+        return {{n, x}, Sqrt(n * n + x * x), Abs(d), MulSign(step.n * n + step.x * x, d)};
     }
 
     template <class Self>

@@ -24,10 +24,10 @@ struct Polarised {
 /// With X and Y of MODEL section 3, all times turns^2 / 4: then Y is cosine^2 times the square of
 /// the phase, and sin^2 comes with its factor.
 template <class V>
-class TwicePassed {
+class RoundTripTransmittance {
   public:
-    TwicePassed() = default;
-    TwicePassed(const V &turns, const V &excess, const V &invEtaSqr)
+    RoundTripTransmittance() = default;
+    RoundTripTransmittance(const V &turns, const V &excess, const V &invEtaSqr)
         : turnsSqr(turns * turns), invEtaSqr(invEtaSqr) {
         sine = RoughSinSquaredPi<V>(excess * excess * turnsSqr * T(0.25));
         // Films below some 2 nm count as that thick, with their own contrast, lest Y underflows.
@@ -88,7 +88,7 @@ struct Film {
     V phase;      ///< phase in turns at grazing incidence, less a whole number
     V fringes;    ///< turns by which the phase changes from normal to grazing incidence
     V limit;      ///< reflectance where X + Y = 0: 0 if there is no film, else 1 (grazing)
-    TwicePassed<V> twice;
+    RoundTripTransmittance<V> twice;
 
     Film() = default;
     Film(const Nm<V> &lambda, const Nm<V> &thickness, const V &eta)

@@ -20,7 +20,7 @@ std::vector<std::string_view> ParameterNames() {
 
 /// A value that is no number, for a message. Lists and objects by their kind alone: they can be
 /// nested more deeply than a recursion may go.
-std::string Shown(const nlohmann::json &value) {
+std::string Describe(const nlohmann::json &value) {
     if (value.is_array() || value.is_object()) return fmt::format("an {}", value.type_name());
     constexpr auto kReplace = nlohmann::json::error_handler_t::replace;
     return Shortened(value.dump(-1, ' ', false, kReplace));
@@ -98,7 +98,7 @@ std::string FromJson(std::string_view text, Parameters *parameters) {
         const std::string mistake =
             value.is_number()
                 ? SetParameter(name, value.get<double>(), &changed)
-                : fmt::format("\"{}\" is {}: expected a number", Shortened(name), Shown(value));
+                : fmt::format("\"{}\" is {}: expected a number", Shortened(name), Describe(value));
         if (mistake.empty()) continue;
         mistakes += (mistakes.empty() ? "" : "\n") + mistake;
     }

@@ -12,11 +12,11 @@ namespace {
 constexpr std::string_view kRGB = "rgb";
 constexpr std::array<std::string_view, 3> kFilms{kRGB, GBuffer::kName, SpectralBuckets::kName};
 constexpr std::array<std::string_view, 1> kSensors{"cie1931"};
-constexpr NumberRow kIso{"iso", "", 100, 1e-6f, 1e9f, "sensor speed"};
-constexpr NumberRow kMaxComponent{"maxcomponentvalue",        "", Infinity, 0, Infinity,
-                                  "largest value of a sample"};
-constexpr NumberRow kWhiteBalance{"whitebalance", "K", 0, 0, 25000, "0: none"};
-constexpr NumberRow kDiagonal{"diagonal", "mm", 35, 1e-6f, 1e6f, "of the film"};
+constexpr FloatParam kIso{"iso", "", 100, 1e-6f, 1e9f, "sensor speed"};
+constexpr FloatParam kMaxComponent{"maxcomponentvalue",        "", Infinity, 0, Infinity,
+                                   "largest value of a sample"};
+constexpr FloatParam kWhiteBalance{"whitebalance", "K", 0, 0, 25000, "0: none"};
+constexpr FloatParam kDiagonal{"diagonal", "mm", 35, 1e-6f, 1e6f, "of the film"};
 
 PixelBounds Crop(Point2i full, const std::array<float, 4> &c) {
     const auto edge = [](float f, int n) {
@@ -93,7 +93,7 @@ std::vector<std::array<float, 4>> Matching(const RGBColorSpace &space, float whi
 
 }  // namespace
 
-Film Film::Create(const Description &scene, const FilmOverrides &overrides, Diagnostics &log) {
+Film Film::Create(const SceneDescription &scene, const FilmOverrides &overrides, Diagnostics &log) {
     const std::string type = scene.film.type.empty() ? std::string(kRGB) : scene.film.type;
     ParamDict params(scene.film.params, scene.film.loc, fmt::format("film \"{}\"", type),
                      scene.film.colorSpace, &log, scene.dir);
@@ -107,10 +107,10 @@ Film Film::Create(const Description &scene, const FilmOverrides &overrides, Diag
     if (overrides.quick) full = {std::max(1, full.x / 4), std::max(1, full.y / 4)};
     film.fullResolution = full;
     film.bounds = ReadBounds(params, overrides, full);
-    if (type == GBuffer::kName) film.further = GBuffer::Create(params);
-    if (type == SpectralBuckets::kName) film.further = SpectralBuckets::Create(params);
-    film.furtherChannels = film.NamesOfFurther();
-    film.fileName = ReadFileName(params, overrides, !film.furtherChannels.empty());
+    if (type == GBuffer::kName) film.aovs = GBuffer::Create(params);
+    if (type == SpectralBuckets::kName) film.aovs = SpectralBuckets::Create(params);
+    film.aovChannels = film.AOVNames();
+    film.fileName = ReadFileName(params, overrides, !film.aovChannels.empty());
     film.colorSpace = scene.film.colorSpace;
     film.iso = params.GetOneFloat(kIso);
     film.maxComponentValue = params.GetOneFloat(kMaxComponent);
@@ -127,17 +127,17 @@ Film Film::Create(const Description &scene, const FilmOverrides &overrides, Diag
     const PixelBounds &b = film.bounds;
     if (const auto why = WhyTooLarge(film.BytesFor(b))) {
         params.Error(fmt::format("a film of {} x {} pixels with {} channels {}", b.Width(),
-                                 b.Height(), 3 + film.furtherChannels.size(), *why));
+                                 b.Height(), 3 + film.aovChannels.size(), *why));
         film.bounds = {0, 1, 0, 1};
     }
     film.pixels.resize(size_t(film.bounds.Area()));
-    film.furtherValues.resize(film.pixels.size() * film.furtherChannels.size());
+    film.aovValues.resize(film.pixels.size() * film.aovChannels.size());
     return film;
 }
 
 uint64_t Film::BytesFor(const PixelBounds &b) const {
-    const size_t channels = 3 + furtherChannels.size();
-    const size_t sums = sizeof(Sum) + furtherChannels.size() * sizeof(float);
+    const size_t channels = 3 + aovChannels.size();
+    const size_t sums = sizeof(Sum) + aovChannels.size() * sizeof(float);
     // The picture, a copy in the file's type, the file.
     return uint64_t(b.Area()) * (sums + channels * 3 * sizeof(float));
 }
@@ -165,34 +165,34 @@ RGB Film::ToSensorRGB(SampledSpectrum L, const SampledWavelengths &lambda) const
     return {sum[0], sum[1], sum[2]};
 }
 
-std::vector<std::string> Film::NamesOfFurther() const {
-    if (const auto *g = std::get_if<GBuffer>(&further)) return g->ChannelNames();
-    if (const auto *s = std::get_if<SpectralBuckets>(&further)) return s->ChannelNames();
+std::vector<std::string> Film::AOVNames() const {
+    if (const auto *g = std::get_if<GBuffer>(&aovs)) return g->ChannelNames();
+    if (const auto *s = std::get_if<SpectralBuckets>(&aovs)) return s->ChannelNames();
     return {};
 }
 
 Film::Pixel Film::NewPixel() const {
     Pixel pixel;
-    if (const auto *g = std::get_if<GBuffer>(&further)) pixel.further = g->NewSums();
-    if (const auto *s = std::get_if<SpectralBuckets>(&further)) pixel.further = s->NewSums();
+    if (const auto *g = std::get_if<GBuffer>(&aovs)) pixel.aovs = g->NewSums();
+    if (const auto *s = std::get_if<SpectralBuckets>(&aovs)) pixel.aovs = s->NewSums();
     return pixel;
 }
 
-void Film::AddFurther(Pixel *pixel, SampledSpectrum L, const RGB &rgb,
-                      const SampledWavelengths &lambda, float weight,
-                      const VisibleSurface *surface) const {
-    if (auto *const sums = std::get_if<SpectralBuckets::Sums>(&pixel->further)) {
+void Film::AddAOVs(Pixel *pixel, SampledSpectrum L, const RGB &rgb,
+                   const SampledWavelengths &lambda, float weight,
+                   const VisibleSurface *surface) const {
+    if (auto *const sums = std::get_if<SpectralBuckets::Sums>(&pixel->aovs)) {
         SampledSpectrum exposed = L * (imagingRatio * CIE_Y_integral);
         const float largest = exposed.MaxComponentValue();
         if (largest > maxComponentValue) exposed *= maxComponentValue / largest;
-        std::get<SpectralBuckets>(further).Add(sums, exposed, lambda, weight);
-    } else if (auto *const sums = std::get_if<GBuffer::Sums>(&pixel->further)) {
+        std::get<SpectralBuckets>(aovs).Add(sums, exposed, lambda, weight);
+    } else if (auto *const sums = std::get_if<GBuffer::Sums>(&pixel->aovs)) {
         RGB albedo;
         if (surface) {
             const auto c = Matched(surface->albedo * illuminant.Sample(lambda), lambda);
             albedo = {c[0], c[1], c[2]};
         }
-        std::get<GBuffer>(further).Add(sums, rgb, weight, surface, albedo);
+        std::get<GBuffer>(aovs).Add(sums, rgb, weight, surface, albedo);
     }
 }
 
@@ -200,11 +200,11 @@ void Film::Store(Point2i p, const Pixel &pixel) {
     Sum &sum = pixels[Index(p)];
     std::copy(std::begin(pixel.rgb), std::end(pixel.rgb), sum.rgb);
     sum.weight = pixel.weight;
-    float *const values = furtherValues.data() + Index(p) * furtherChannels.size();
-    if (const auto *sums = std::get_if<SpectralBuckets::Sums>(&pixel.further))
-        std::get<SpectralBuckets>(further).Write(*sums, values);
-    else if (const auto *sums = std::get_if<GBuffer::Sums>(&pixel.further))
-        std::get<GBuffer>(further).Write(*sums, values);
+    float *const values = aovValues.data() + Index(p) * aovChannels.size();
+    if (const auto *sums = std::get_if<SpectralBuckets::Sums>(&pixel.aovs))
+        std::get<SpectralBuckets>(aovs).Write(*sums, values);
+    else if (const auto *sums = std::get_if<GBuffer::Sums>(&pixel.aovs))
+        std::get<GBuffer>(aovs).Write(*sums, values);
 }
 
 RGB Film::PixelRGB(Point2i p) const {
@@ -216,8 +216,8 @@ RGB Film::PixelRGB(Point2i p) const {
 
 Image Film::ToImage() const {
     std::vector<std::string> channels{"R", "G", "B"};
-    channels.insert(channels.end(), furtherChannels.begin(), furtherChannels.end());
-    const int n = int(furtherChannels.size());
+    channels.insert(channels.end(), aovChannels.begin(), aovChannels.end());
+    const int n = int(aovChannels.size());
     Image image({bounds.Width(), bounds.Height()}, std::move(channels));
     for (int y = bounds.y0; y < bounds.y1; ++y)
         for (int x = bounds.x0; x < bounds.x1; ++x) {
@@ -225,7 +225,7 @@ Image Film::ToImage() const {
             const RGB rgb = PixelRGB({x, y});
             for (int c = 0; c < 3; ++c)
                 image.Set(at, c, rgb[c]);
-            const float *const values = furtherValues.data() + Index({x, y}) * size_t(n);
+            const float *const values = aovValues.data() + Index({x, y}) * size_t(n);
             for (int c = 0; c < n; ++c)
                 image.Set(at, 3 + c, values[c]);
         }
@@ -233,7 +233,7 @@ Image Film::ToImage() const {
     image.metadata.fullResolution = fullResolution;
     if (colorSpace != &RGBColorSpace::sRGB())
         image.metadata.chromaticities = colorSpace->Chromaticities();
-    if (std::holds_alternative<SpectralBuckets>(further))
+    if (std::holds_alternative<SpectralBuckets>(aovs))
         image.metadata.strings = {{"spectralLayoutVersion", "1.0"},
                                   {"emissiveUnits", "W.m^-2.sr^-1"}};
     return image;

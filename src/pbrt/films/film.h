@@ -37,7 +37,8 @@ struct FilmOverrides {
 /// nothing else, `gbuffer` and `spectral` have further channels.
 class Film {
   public:
-    static Film Create(const Description &scene, const FilmOverrides &overrides, Diagnostics &log);
+    static Film Create(const SceneDescription &scene, const FilmOverrides &overrides,
+                       Diagnostics &log);
 
     /// Shutter time in seconds: the imaging ratio is seconds * iso / 100.
     void SetExposure(float seconds) { imagingRatio = seconds * iso / 100; }
@@ -49,13 +50,13 @@ class Film {
 
     /// The transforms from rendering to camera and world space.
     void SetSpaces(const Transform &camera, const Transform &world) {
-        if (auto *const g = std::get_if<GBuffer>(&further)) g->SetSpaces(camera, world);
+        if (auto *const g = std::get_if<GBuffer>(&aovs)) g->SetSpaces(camera, world);
     }
     /// Whether AddSample makes use of a VisibleSurface.
-    bool WantsSurface() const { return std::holds_alternative<GBuffer>(further); }
+    bool WantsSurface() const { return std::holds_alternative<GBuffer>(aovs); }
     /// Of one path; u in [0, 1).
     SampledWavelengths SampleWavelengths(float u) const {
-        if (const auto *s = std::get_if<SpectralBuckets>(&further)) [[unlikely]]
+        if (const auto *s = std::get_if<SpectralBuckets>(&aovs)) [[unlikely]]
             return s->SampleWavelengths(u);
         return SampledWavelengths::SampleVisible(u);
     }
@@ -64,7 +65,7 @@ class Film {
     struct Pixel {
         double rgb[3] = {};
         double weight = 0;
-        std::variant<std::monostate, SpectralBuckets::Sums, GBuffer::Sums> further;
+        std::variant<std::monostate, SpectralBuckets::Sums, GBuffer::Sums> aovs;
     };
     Pixel NewPixel() const;
     /// Sensor response to L sampled at lambda: mean over the wavelengths of L times the matching
@@ -78,8 +79,8 @@ class Film {
         for (int c = 0; c < 3; ++c)
             pixel->rgb[c] += weight * rgb[c];
         pixel->weight += weight;
-        if (further.index() != 0) [[unlikely]]
-            AddFurther(pixel, L, rgb, lambda, weight, surface);
+        if (aovs.index() != 0) [[unlikely]]
+            AddAOVs(pixel, L, rgb, lambda, weight, surface);
     }
     void Store(Point2i p, const Pixel &pixel);
     RGB PixelRGB(Point2i p) const;
@@ -90,13 +91,12 @@ class Film {
   private:
     /// RGB of L by the matching curves, neither exposed nor clamped.
     SampledSpectrum::Lanes Matched(SampledSpectrum L, const SampledWavelengths &lambda) const;
-    std::vector<std::string> NamesOfFurther() const;
+    std::vector<std::string> AOVNames() const;
     /// Memory that the pixels take until the picture is written, all at a time: sums, picture,
     /// file.
     uint64_t BytesFor(const PixelBounds &b) const;
-    void AddFurther(Pixel *pixel, SampledSpectrum L, const RGB &rgb,
-                    const SampledWavelengths &lambda, float weight,
-                    const VisibleSurface *surface) const;
+    void AddAOVs(Pixel *pixel, SampledSpectrum L, const RGB &rgb, const SampledWavelengths &lambda,
+                 float weight, const VisibleSurface *surface) const;
     size_t Index(Point2i p) const {
         return size_t(p.y - bounds.y0) * bounds.Width() + (p.x - bounds.x0);
     }
@@ -114,10 +114,10 @@ class Film {
         double weight = 0;
     };
     std::vector<Sum> pixels;
-    std::variant<std::monostate, SpectralBuckets, GBuffer> further;
-    std::vector<std::string> furtherChannels;
-    std::vector<float> furtherValues;  ///< pixel by pixel
-    Spectrum illuminant;               ///< white of luminance 1, that albedos are seen under
+    std::variant<std::monostate, SpectralBuckets, GBuffer> aovs;
+    std::vector<std::string> aovChannels;
+    std::vector<float> aovValues;  ///< pixel by pixel
+    Spectrum illuminant;           ///< white of luminance 1, that albedos are seen under
 };
 
 }  // namespace pbrt

@@ -7,8 +7,9 @@
 namespace pbrt {
 namespace {
 
-constexpr NumberRow kMin{"lambdamin", "nm", LambdaMin, LambdaMin, LambdaMax, "of the first bucket"};
-constexpr NumberRow kMax{"lambdamax", "nm", LambdaMax, LambdaMin, LambdaMax, "of the last bucket"};
+constexpr FloatParam kMin{"lambdamin", "nm",      LambdaMin,
+                          LambdaMin,   LambdaMax, "of the first bucket"};
+constexpr FloatParam kMax{"lambdamax", "nm", LambdaMax, LambdaMin, LambdaMax, "of the last bucket"};
 
 }  // namespace
 

@@ -29,7 +29,7 @@ class FilterTable {
     }
 
     /// u in [0, 1).
-    AxisSample Draw(float u) const {
+    AxisSample Sample(float u) const {
         const float v = 2 * u - 1, place = std::min(std::abs(v), OneMinusEpsilon);
         size_t i = guide[size_t(place * kGuide)];
         while (place >= cells[i + 1].start)

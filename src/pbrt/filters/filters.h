@@ -36,14 +36,14 @@ class SeparableFilter {
     /// Over the plane.
     float Integral() const { return float(x.Integral() * y.Integral()); }
     FilterSample Sample(Point2f u) const {
-        const AxisSample sx = drawX.Draw(u.x), sy = drawY.Draw(u.y);
+        const AxisSample sx = drawX.Sample(u.x), sy = drawY.Sample(u.y);
         return {{sx.x, sy.x}, sx.weight * sy.weight};
     }
 
   private:
     /// Profiles that can be sampled in closed form are; the others by table.
     static auto Drawing(const Profile &profile) {
-        if constexpr (requires { profile.Draw(0.f); })
+        if constexpr (requires { profile.Sample(0.f); })
             return profile;
         else
             return FilterTable(profile, profile.radius);

@@ -21,7 +21,7 @@ struct BoxProfile {
     BoxProfile(float radius, Shape) : radius(radius) {}
     float operator()(float x) const { return std::abs(x) <= radius ? 1 : 0; }
     double Integral() const { return 2 * radius; }
-    AxisSample Draw(float u) const { return {(2 * u - 1) * radius, 2 * radius}; }
+    AxisSample Sample(float u) const { return {(2 * u - 1) * radius, 2 * radius}; }
 
     float radius;
 };
@@ -35,7 +35,7 @@ struct TriangleProfile {
     TriangleProfile(float radius, Shape) : radius(radius) {}
     float operator()(float x) const { return std::max(0.f, radius - std::abs(x)); }
     double Integral() const { return double(radius) * radius; }
-    AxisSample Draw(float u) const { return {SampleTent(u, radius), radius * radius}; }
+    AxisSample Sample(float u) const { return {SampleTent(u, radius), radius * radius}; }
 
     float radius;
 };

@@ -87,9 +87,9 @@ OrError<Image> ReadImage(const std::string &fileName,
 enum class ExrPixels { Half, Float };
 /// Writes .exr (ZIP), .png (8 bit sRGB) or .pfm by extension, by WriteFileAtomically. Returns the
 /// reason on failure; then nothing is left behind and an old file is untouched. Half: values beyond
-/// +-65504 become +-65504, NaN stays. PNG and PFM keep R G B, else Y, else the one or three channels
-/// beside alpha; PNG alpha, too. Channels R, G, B of any layer are turned into sRGB primaries where
-/// chromaticities are given; PNG clamps to [0, 1] and writes NaN as 0.
+/// +-65504 become +-65504, NaN stays. PNG and PFM keep R G B, else Y, else the one or three
+/// channels beside alpha; PNG alpha, too. Channels R, G, B of any layer are turned into sRGB
+/// primaries where chromaticities are given; PNG clamps to [0, 1] and writes NaN as 0.
 std::optional<std::string> WriteImage(const Image &image, const std::string &fileName,
                                       ExrPixels pixels = ExrPixels::Half);
 /// WriteImage; where it fails, the picture is kept as an EXR file in a new folder among those for

@@ -31,7 +31,7 @@ struct DiffuseAreaLight {
     std::optional<LightLiSample> SampleLi(const LightSampleContext &ctx, Point2f u,
                                           const SampledWavelengths &lambda) const {
         const Surface &s = *surface;
-        const std::optional<ShapeSample> at = Draw(ctx.p, u);
+        const std::optional<ShapeSample> at = SamplePoint(ctx.p, u);
         if (!at || !(at->pdf > 0)) return std::nullopt;
         const Vector3f d = at->p - ctx.p;
         const float d2 = LengthSquared(d), cosine = -Dot(at->n, d);
@@ -61,7 +61,7 @@ struct DiffuseAreaLight {
     float scale = 1;
 
   private:
-    std::optional<ShapeSample> Draw(Point3f ref, Point2f u) const {
+    std::optional<ShapeSample> SamplePoint(Point3f ref, Point2f u) const {
         if (!surface->rectangle) return SampleFrom(*surface->shape, primitive, ref, u);
         const Rectangle &r = *surface->rectangle;
         const Rectangle::Sample s = r.SampleFrom(ref, u);

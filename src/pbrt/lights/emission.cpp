@@ -32,8 +32,8 @@ Emission GetEmission(ParamDict &params, std::string_view name) {
 }
 
 EmissionScale GetScale(ParamDict &params, std::string_view target, std::string_view unit) {
-    static constexpr NumberRow kScale{"scale", "", 1, 0, Infinity, "factor on what is emitted"};
-    const NumberRow row{target, unit, -1, -1, Infinity, "amount to emit; not above 0: as L says"};
+    static constexpr FloatParam kScale{"scale", "", 1, 0, Infinity, "factor on what is emitted"};
+    const FloatParam row{target, unit, -1, -1, Infinity, "amount to emit; not above 0: as L says"};
     return {params.GetOneFloat(kScale), params.GetOneFloat(row)};
 }
 

@@ -32,19 +32,19 @@ struct ImageInfiniteLight {
     void Preprocess(float radius) { sceneRadius = radius; }
     std::optional<LightLiSample> SampleLi(const LightSampleContext &ctx, Point2f u,
                                           const SampledWavelengths &lambda) const {
-        const PiecewiseConstant2D::Sample s = sky->directions.Draw(u);
+        const PiecewiseConstant2D::PointSample s = sky->directions.Sample(u);
         const auto [wi, pdf] = Leave(s.p, s.pdf);
         const SampledSpectrum L = Radiance(s.step, lambda);
         if (!(pdf > 0) || !L) return std::nullopt;
         return LightLiSample{L, wi, pdf, ctx.p + (2 * sceneRadius) * wi, false};
     }
     /// The same in the given lanes.
-    void SampleLi(const WideLightSampleContext &ctx, const WidePoint2f &u,
-                  const std::array<const SampledWavelengths *, kWide> &lambda, LaneBits lanes,
+    void SampleLi(const LightSampleContextX16 &ctx, const Point2fX16 &u,
+                  const std::array<const SampledWavelengths *, kPacketSize> &lambda, LaneBits lanes,
                   LightLiSamples *samples) const {
-        const PiecewiseConstant2D::Samples s = sky->directions.Draw(u);
+        const PiecewiseConstant2D::PointSampleX16 s = sky->directions.Sample(u);
         const auto [wi, pdf] = Leave(s.p, s.pdf);
-        const WideMask mask = MaskOf(lanes);
+        const MaskX16 mask = MaskOf(lanes);
         samples->wi = Select(mask, wi, samples->wi);
         samples->pdf = Select(mask, pdf, samples->pdf);
         samples->pLight = Select(mask, ctx.p + (2 * sceneRadius) * wi, samples->pLight);
@@ -55,7 +55,7 @@ struct ImageInfiniteLight {
             samples->valid |= LaneBits(bool(L)) << i;
         });
     }
-    /// What the picture has in a direction. T: float or WideFloat.
+    /// What the picture has in a direction. T: float or FloatX16.
     template <typename T>
     struct Place {
         Vec2<T> p;  ///< in the square

@@ -16,9 +16,9 @@ struct LightSampleContext {
 };
 
 /// Sixteen receivers.
-struct WideLightSampleContext {
-    WidePoint3f p;
-    WideNormal3f ns;
+struct LightSampleContextX16 {
+    Point3fX16 p;
+    Normal3fX16 ns;
 
     LightSampleContext At(int i) const { return {Lane(p, i), Lane(ns, i)}; }
 };
@@ -34,10 +34,10 @@ struct LightLiSample {
 
 /// Sixteen of LightLiSample.
 struct LightLiSamples {
-    std::array<SampledSpectrum, kWide> L;
-    WideVector3f wi{};
-    WideFloat pdf{};
-    WidePoint3f pLight{};
+    std::array<SampledSpectrum, kPacketSize> L;
+    Vector3fX16 wi{};
+    FloatX16 pdf{};
+    Point3fX16 pLight{};
     LaneBits valid = 0, delta = 0;
 
     void Set(int i, const LightLiSample &s) {

@@ -28,7 +28,7 @@ struct LightBounds {
 /// Bounds of both; empty ones (power 0) take no part.
 LightBounds Union(const LightBounds &a, const LightBounds &b);
 
-/// What importance is made of, in the form that light trees keep. T is float, or WideFloat for
+/// What importance is made of, in the form that light trees keep. T is float, or FloatX16 for
 /// sixteen clusters.
 template <AnyFloat T>
 struct ClusterOf {

@@ -6,8 +6,8 @@
 
 namespace pbrt {
 
-using LightLanes = std::array<const Light *, kWide>;
-using WavelengthLanes = std::array<const SampledWavelengths *, kWide>;
+using LightPacket = std::array<const Light *, kPacketSize>;
+using WavelengthPacket = std::array<const SampledWavelengths *, kPacketSize>;
 
 namespace detail {
 
@@ -20,26 +20,26 @@ inline const DiffuseAreaLight *AsRectangle(const Light &light) {
 }
 
 /// DiffuseAreaLight::SampleLi in the given lanes, one at least.
-inline void SampleRectangles(const std::array<const DiffuseAreaLight *, kWide> &light,
-                             const WideLightSampleContext &ctx, const WidePoint2f &u,
-                             const WavelengthLanes &lambda, LaneBits lanes,
+inline void SampleRectangles(const std::array<const DiffuseAreaLight *, kPacketSize> &light,
+                             const LightSampleContextX16 &ctx, const Point2fX16 &u,
+                             const WavelengthPacket &lambda, LaneBits lanes,
                              LightLiSamples *samples) {
-    std::array<const Rectangle *, kWide> rectangle;
+    std::array<const Rectangle *, kPacketSize> rectangle;
     LaneBits twoSided = 0, invisible = 0;
-    for (size_t i = 0; i < kWide; ++i) {
+    for (size_t i = 0; i < kPacketSize; ++i) {
         const size_t from = lanes >> i & 1 ? i : size_t(std::countr_zero(lanes));
         const DiffuseAreaLight::Surface &s = *light[from]->surface;
         rectangle[i] = &*s.rectangle;
         twoSided |= LaneBits(s.twoSided) << i;
         invisible |= LaneBits(s.invisible) << i;
     }
-    const auto r = RectangleT<WideFloat>::Of(rectangle);
+    const auto r = RectangleT<FloatX16>::Of(rectangle);
     const auto at = r.SampleFrom(ctx.p, u);
-    const WideVector3f d = at.p - ctx.p;
-    const WideFloat d2 = LengthSquared(d), cosine = -Dot(r.Normal(), d);
+    const Vector3fX16 d = at.p - ctx.p;
+    const FloatX16 d2 = LengthSquared(d), cosine = -Dot(r.Normal(), d);
     const LaneBits lit = lanes & BitsOf((at.pdf > 0) & (d2 > 0)) & (BitsOf(cosine > 0) | twoSided);
-    const WideMask mask = MaskOf(lit);
-    const WideFloat off = Dot(Abs(r.Normal()), r.Error());
+    const MaskX16 mask = MaskOf(lit);
+    const FloatX16 off = Dot(Abs(r.Normal()), r.Error());
     samples->wi = Select(mask, d * (1 / Sqrt(d2)), samples->wi);
     samples->pdf = Select(mask, at.pdf, samples->pdf);
     samples->pLight =
@@ -56,10 +56,10 @@ inline void SampleRectangles(const std::array<const DiffuseAreaLight *, kWide> &
 
 /// SampleLi of light[lane] in the given lanes, those without a light (nullptr) apart. What is
 /// sampled becomes valid; other lanes' wi, pdf and pLight become undefined.
-inline void SampleLi(const LightLanes &light, const WideLightSampleContext &ctx,
-                     const WidePoint2f &u, const WavelengthLanes &lambda, LaneBits lanes,
+inline void SampleLi(const LightPacket &light, const LightSampleContextX16 &ctx,
+                     const Point2fX16 &u, const WavelengthPacket &lambda, LaneBits lanes,
                      LightLiSamples *samples) {
-    std::array<const DiffuseAreaLight *, kWide> area{};
+    std::array<const DiffuseAreaLight *, kPacketSize> area{};
     LaneBits rectangles = 0, images = 0, others = 0;
     ForEachLane(lanes, [&](int i) {
         const Light *const l = light[size_t(i)];

@@ -42,7 +42,7 @@ class LightSampler {
             case Kind::Uniform:
                 return Pick(unbounded, u, 1 / float(unbounded.size()));
             case Kind::Power: {
-                const AliasTable::Sample s = byPower.Draw(u);
+                const AliasTable::IndexSample s = byPower.Sample(u);
                 return SampledLight{s.index, s.pmf};
             }
             case Kind::Tree:
@@ -56,7 +56,7 @@ class LightSampler {
     }
 
     /// Sample for the given lanes.
-    SampledLights Sample(const WideLightSampleContext &ctx, const WideFloat &u,
+    SampledLights Sample(const LightSampleContextX16 &ctx, const FloatX16 &u,
                          LaneBits lanes) const {
         SampledLights drawn;
         if (kind == Kind::Tree) {

@@ -110,7 +110,7 @@ class LightTreeBuilder {
     int32_t Build(Items items, int level, uint64_t path) {
         const int32_t index = int32_t(tree.nodes.size());
         tree.nodes.emplace_back();
-        std::array<Items, kWide> parts;
+        std::array<Items, kPacketSize> parts;
         const int n = Divide(items, level, parts);
         for (int i = 0; i < n; ++i) {
             const Items part = parts[size_t(i)];
@@ -130,11 +130,11 @@ class LightTreeBuilder {
     /// Splits the largest part until there are sixteen or all are single; below the root, where
     /// there are more than sixteen lights, also once each part fits one node: nodes well filled
     /// make a small tree.
-    static int Divide(Items items, int level, std::array<Items, kWide> &parts) {
+    static int Divide(Items items, int level, std::array<Items, kPacketSize> &parts) {
         int n = 1;
         parts[0] = items;
-        const size_t enough = level > 0 && items.size() > kWide ? kWide : 1;
-        while (n < kWide) {
+        const size_t enough = level > 0 && items.size() > kPacketSize ? kPacketSize : 1;
+        while (n < kPacketSize) {
             const auto largest = std::max_element(
                 parts.begin(), parts.begin() + n,
                 [](const Items &a, const Items &b) { return a.size() < b.size(); });
@@ -166,8 +166,8 @@ void LightTree::Node::Set(int i, const ClusterOf<float> &c, int32_t to) {
 void LightTree::ChildWeights(const Walk *walks, LaneBits lanes, Weights *weights) const {
     ForEachLane(lanes, [&](int i) {
         const Walk &walk = walks[i];
-        const WideFloat w = Importance(nodes[size_t(walk.at)].clusters, walk.to);
-        weights[i] = {w, SumsUpTo(w)};
+        const FloatX16 w = Importance(nodes[size_t(walk.at)].clusters, walk.to);
+        weights[i] = {w, InclusiveScan(w)};
     });
 }
 

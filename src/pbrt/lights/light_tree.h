@@ -19,8 +19,8 @@ struct SampledLight {
 
 /// One drawn for each of sixteen receivers.
 struct SampledLights {
-    std::array<int, kWide> light;
-    WideFloat pmf{};
+    std::array<int, kPacketSize> light;
+    FloatX16 pmf{};
     LaneBits valid = 0;  ///< lanes where one was drawn; the others' are undefined
 };
 
@@ -36,8 +36,7 @@ class LightTree {
     /// nullopt where no light can reach the receiver. u in [0, 1).
     std::optional<SampledLight> Sample(const LightSampleContext &ctx, float u) const;
     /// The same for the given lanes.
-    SampledLights Sample(const WideLightSampleContext &ctx, const WideFloat &u,
-                         LaneBits lanes) const;
+    SampledLights Sample(const LightSampleContextX16 &ctx, const FloatX16 &u, LaneBits lanes) const;
     /// Probability that Sample draws `light`.
     float PMF(const LightSampleContext &ctx, int light) const;
     size_t MemoryBytes() const {
@@ -49,13 +48,13 @@ class LightTree {
     /// Weights this small are 0: below, u times the sum could round up to the sum.
     static constexpr float kLeast = 1e-30f;
     struct alignas(64) Node {
-        ClusterOf<WideFloat> clusters{};
-        WideInt child{};  ///< node, or ~light
+        ClusterOf<FloatX16> clusters{};
+        IntX16 child{};  ///< node, or ~light
         void Set(int i, const ClusterOf<float> &c, int32_t to);
     };
     struct Weights {
-        WideFloat w, upTo;  ///< the child's, and with those of all before
-        float Sum() const { return upTo[kWide - 1]; }
+        FloatX16 w, upTo;  ///< the child's, and with those of all before
+        float Sum() const { return upTo[kPacketSize - 1]; }
     };
     /// On the way to a light.
     struct Walk {
@@ -71,7 +70,7 @@ class LightTree {
     bool Choose(const Weights &weights, Walk *walk) const;
     /// Each to a child; the lanes where a light may reach the receiver.
     LaneBits Descend(Walk *walks, LaneBits lanes) const {
-        std::array<Weights, kWide> weights;
+        std::array<Weights, kPacketSize> weights;
         ChildWeights(walks, lanes, weights.data());
         LaneBits lit = 0;
         ForEachLane(lanes,
@@ -106,9 +105,9 @@ inline std::optional<SampledLight> LightTree::Sample(const LightSampleContext &c
     return SampledLight{~walk.at, walk.pmf};
 }
 
-inline SampledLights LightTree::Sample(const WideLightSampleContext &ctx, const WideFloat &u,
+inline SampledLights LightTree::Sample(const LightSampleContextX16 &ctx, const FloatX16 &u,
                                        LaneBits lanes) const {
-    std::array<Walk, kWide> walks;
+    std::array<Walk, kPacketSize> walks;
     ForEachLane(lanes, [&](int i) {
         walks[size_t(i)] = {{Lane(ctx.p, i), Lane(ctx.ns, i)}, u[i]};
     });

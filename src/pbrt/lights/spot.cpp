@@ -5,8 +5,8 @@
 namespace pbrt {
 namespace {
 
-constexpr NumberRow kConeAngle{"coneangle", "degrees", 30, 0, 180, "half angle of the cone"};
-constexpr NumberRow kConeDelta{
+constexpr FloatParam kConeAngle{"coneangle", "degrees", 30, 0, 180, "half angle of the cone"};
+constexpr FloatParam kConeDelta{
     "conedeltaangle", "degrees", 5, 0, 180, "width of the falloff inside the cone"};
 
 /// Solid angle of the cone, weighted by the falloff: a smooth step has the mean 1/2.

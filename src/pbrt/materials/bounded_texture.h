@@ -13,7 +13,7 @@ namespace pbrt {
 class BoundedTexture {
   public:
     BoundedTexture() = default;
-    BoundedTexture(ParamDict &params, const NamedTextures &named, const NumberRow &row)
+    BoundedTexture(ParamDict &params, const NamedTextures &named, const FloatParam &row)
         : texture(GetFloatTexture(params, named, row)) {
         if (!texture.IsConstant()) range = std::make_shared<Range>(row);
     }
@@ -30,13 +30,13 @@ class BoundedTexture {
 
   private:
     struct Range {
-        NumberRow row;
+        FloatParam row;
         std::atomic<int64_t> clamped{0};  ///< values so far
 
-        explicit Range(const NumberRow &row) : row(row) {}
+        explicit Range(const FloatParam &row) : row(row) {}
     };
     float Clamped(float v) const {
-        const NumberRow &row = range->row;
+        const FloatParam &row = range->row;
         const float legal = std::clamp(v, row.lo, row.hi);
         if (v == legal) return v;
         range->clamped.fetch_add(1, std::memory_order_relaxed);

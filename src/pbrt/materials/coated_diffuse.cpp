@@ -5,9 +5,9 @@
 namespace pbrt {
 namespace {
 
-constexpr NumberRow kEta{"eta", "", 1.5f, 1, 1e3f, "index of refraction of the coat"};
-constexpr NumberRow kThickness{"thickness", "", 0.01f, 0, 1e3f, "optical depth of the coat"};
-constexpr NumberRow kG{"g", "", 0, -1, 1, "asymmetry of scattering in the coat"};
+constexpr FloatParam kEta{"eta", "", 1.5f, 1, 1e3f, "index of refraction of the coat"};
+constexpr FloatParam kThickness{"thickness", "", 0.01f, 0, 1e3f, "optical depth of the coat"};
+constexpr FloatParam kG{"g", "", 0, -1, 1, "asymmetry of scattering in the coat"};
 
 /// But for the rounding of interpolation.
 bool IsFlat(const Spectrum &s) {

@@ -18,14 +18,14 @@ struct CoatedDiffuseMaterial {
     std::shared_ptr<const Coat> coat;
 
     static CoatedDiffuseMaterial Create(ParamDict &params, const NamedTextures &named);
-    bool IsPlain() const { return reflectance.IsConstant() && roughness.IsPlain(); }
+    bool IsUniform() const { return reflectance.IsConstant() && roughness.IsUniform(); }
     CoatedDiffuseBxDF GetBxDF(const TextureEvalContext &ctx,
                               const SampledWavelengths &lambda) const {
         const Vector2f alpha = roughness.Alpha(ctx);
         return CoatedDiffuseBxDF(ClampToUnit(reflectance.Evaluate(ctx, lambda)), *coat, alpha.x,
                                  alpha.y);
     }
-    std::string Remarks() const { return roughness.Remarks(kName); }
+    std::string Warnings() const { return roughness.Warnings(kName); }
 };
 
 }  // namespace pbrt

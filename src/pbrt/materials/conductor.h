@@ -15,8 +15,8 @@ struct ConductorMaterial {
     Roughness roughness;
 
     static ConductorMaterial Create(ParamDict &params, const NamedTextures &named);
-    bool IsPlain() const {
-        return eta.IsConstant() && k.IsConstant() && roughness.IsPlain() &&
+    bool IsUniform() const {
+        return eta.IsConstant() && k.IsConstant() && roughness.IsUniform() &&
                (!reflectance || reflectance->IsConstant());
     }
     ConductorBxDF GetBxDF(const TextureEvalContext &ctx, SampledWavelengths &lambda) const {
@@ -31,7 +31,7 @@ struct ConductorMaterial {
         const SampledSpectrum kOfR = 2 * Sqrt(r) / Sqrt(SampledSpectrum(1) - r);
         return ConductorBxDF(SampledSpectrum(1), kOfR, alpha.x, alpha.y);
     }
-    std::string Remarks() const { return roughness.Remarks(kName); }
+    std::string Warnings() const { return roughness.Warnings(kName); }
 };
 
 }  // namespace pbrt

@@ -3,7 +3,7 @@
 namespace pbrt {
 namespace {
 
-constexpr NumberRow kEta{"eta", "", 1.5f, 1e-3f, 1e3f, "relative index of refraction"};
+constexpr FloatParam kEta{"eta", "", 1.5f, 1e-3f, 1e3f, "relative index of refraction"};
 
 }  // namespace
 

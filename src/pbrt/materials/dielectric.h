@@ -13,13 +13,13 @@ struct DielectricMaterial {
     Roughness roughness;
 
     static DielectricMaterial Create(ParamDict &params, const NamedTextures &named);
-    bool IsPlain() const { return roughness.IsPlain(); }
+    bool IsUniform() const { return roughness.IsUniform(); }
     DielectricBxDF GetBxDF(const TextureEvalContext &ctx, SampledWavelengths &lambda) const {
         if (!eta.IsConstant()) lambda.TerminateSecondary();
         const Vector2f alpha = roughness.Alpha(ctx);
         return DielectricBxDF(eta(lambda[0]), alpha.x, alpha.y);
     }
-    std::string Remarks() const { return roughness.Remarks(kName); }
+    std::string Warnings() const { return roughness.Warnings(kName); }
 };
 
 }  // namespace pbrt

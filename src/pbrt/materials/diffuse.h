@@ -13,10 +13,10 @@ struct DiffuseMaterial {
     SpectrumTexture reflectance{Spectrum(0.5f)};
 
     static DiffuseMaterial Create(ParamDict &params, const NamedTextures &named) {
-        return {GetSpectrumTexture(params, named, "reflectance", Spectrum(0.5f),
-                                   SpectrumType::Albedo)};
+        return {
+            GetSpectrumTexture(params, named, "reflectance", Spectrum(0.5f), SpectrumType::Albedo)};
     }
-    bool IsPlain() const { return reflectance.IsConstant(); }
+    bool IsUniform() const { return reflectance.IsConstant(); }
     DiffuseBxDF GetBxDF(const TextureEvalContext &ctx, SampledWavelengths &lambda) const {
         return DiffuseBxDF(reflectance.Evaluate(ctx, lambda));
     }

@@ -3,7 +3,7 @@
 namespace pbrt {
 namespace {
 
-constexpr NumberRow kScale{"scale", "", 1, 0, 1e6f, "factor of both"};
+constexpr FloatParam kScale{"scale", "", 1, 0, 1e6f, "factor of both"};
 
 }  // namespace
 

@@ -22,7 +22,7 @@ struct DiffuseTransmissionMaterial {
                                        ClampToUnit(s * transmittance.Evaluate(ctx, lambda)));
     }
     /// A sentence where texture values had to be clamped; else empty.
-    std::string Remarks() const {
+    std::string Warnings() const {
         std::string text;
         scale.AddRemark(kName, &text);
         return text;

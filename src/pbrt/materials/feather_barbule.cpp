@@ -7,7 +7,7 @@
 namespace pbrt {
 namespace {
 
-NumberRow Row(const feather::Param &p) {
+FloatParam Row(const feather::Param &p) {
     return {p.name, feather::UnitName(p.unit), float(p.def), float(p.lo), float(p.hi), p.doc};
 }
 
@@ -53,7 +53,7 @@ bool FeatherBarbuleMaterial::IsConstant(std::initializer_list<int> which) const 
                        [&](int i) { return values[size_t(i)].IsConstant(); });
 }
 
-bool FeatherBarbuleMaterial::IsPlain() const {
+bool FeatherBarbuleMaterial::IsUniform() const {
     return constantVane && IsConstant({Thickness, Rotation}) && melanin.IsConstant();
 }
 
@@ -82,12 +82,12 @@ Frame FeatherBarbuleMaterial::TurnFrame(const Frame &frame, const TextureEvalCon
     return {c * frame.x + s * frame.y, c * frame.y - s * frame.x, frame.z};
 }
 
-float FeatherBarbuleMaterial::GapFraction(const TextureEvalContext &ctx, Vector3f w) const {
+float FeatherBarbuleMaterial::NullTransmission(const TextureEvalContext &ctx, Vector3f w) const {
     std::optional<Vane> room;
     return VaneAt(ctx, &room).GapFraction({w.x, w.y, w.z});
 }
 
-std::string FeatherBarbuleMaterial::Remarks() const {
+std::string FeatherBarbuleMaterial::Warnings() const {
     std::string text;
     for (const BoundedTexture &texture : values)
         texture.AddRemark(kName, &text);

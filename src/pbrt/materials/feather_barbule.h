@@ -17,11 +17,11 @@ namespace pbrt {
 class FeatherBarbuleMaterial {
   public:
     static constexpr std::string_view kName = "featherbarbule";
-    static constexpr bool kPassesLight = true;
+    static constexpr bool kHasNullTransmission = true;
 
     static FeatherBarbuleMaterial Create(ParamDict &params, const NamedTextures &named);
 
-    bool IsPlain() const;
+    bool IsUniform() const;
     static constexpr std::string_view LaidByUV() { return "barbules"; }
     FeatherBarbuleBxDF GetBxDF(const TextureEvalContext &ctx,
                                const SampledWavelengths &lambda) const {
@@ -36,13 +36,13 @@ class FeatherBarbuleMaterial {
     /// The shading frame, turned about its normal by `rotation`.
     Frame TurnFrame(const Frame &frame, const TextureEvalContext &ctx) const;
     /// Share of light from direction w (local, of the turned frame) that passes straight through.
-    float GapFraction(const TextureEvalContext &ctx, Vector3f w) const;
+    float NullTransmission(const TextureEvalContext &ctx, Vector3f w) const;
     /// The model itself at these wavelengths (nm), in any scalar and with any quadrature: what
     /// tests and tools judge GetBxDF by. `Model` is a feather::Barbule of N wavelengths.
     template <typename Model, std::size_t N>
     Model ModelAt(const TextureEvalContext &ctx, const std::array<float, N> &nanometres) const;
     /// A sentence where texture values had to be clamped; else empty.
-    std::string Remarks() const;
+    std::string Warnings() const;
 
   private:
     enum { Thickness, Spacing, Tilt, Aspect, Opening, Rotation };

@@ -7,12 +7,12 @@
 namespace pbrt {
 namespace {
 
-constexpr NumberRow kEumelanin{"eumelanin", "", 0, 0, 1e6f, "brown and black pigment"};
-constexpr NumberRow kPheomelanin{"pheomelanin", "", 0, 0, 1e6f, "red and yellow pigment"};
-constexpr NumberRow kEta{"eta", "", 1.55f, 1, 1e3f, "index of refraction of the inside"};
-constexpr NumberRow kBetaM{"beta_m", "", 0.3f, 0.01f, 1, "roughness along the fibre"};
-constexpr NumberRow kBetaN{"beta_n", "", 0.3f, 0.01f, 1, "roughness around the fibre"};
-constexpr NumberRow kAlpha{"alpha", "degrees", 2, -90, 90, "tilt of the scales"};
+constexpr FloatParam kEumelanin{"eumelanin", "", 0, 0, 1e6f, "brown and black pigment"};
+constexpr FloatParam kPheomelanin{"pheomelanin", "", 0, 0, 1e6f, "red and yellow pigment"};
+constexpr FloatParam kEta{"eta", "", 1.55f, 1, 1e3f, "index of refraction of the inside"};
+constexpr FloatParam kBetaM{"beta_m", "", 0.3f, 0.01f, 1, "roughness along the fibre"};
+constexpr FloatParam kBetaN{"beta_n", "", 0.3f, 0.01f, 1, "roughness around the fibre"};
+constexpr FloatParam kAlpha{"alpha", "degrees", 2, -90, 90, "tilt of the scales"};
 
 /// Where no pigment is named at all.
 constexpr float kDefaultEumelanin = 1.3f;
@@ -44,7 +44,7 @@ HairMaterial HairMaterial::Create(ParamDict &params, const NamedTextures &named)
         m.pigment = Pigment::Reflectance, m.color = reflectance ? *reflectance : *color;
         outrank(reflectance ? "reflectance" : "color", {"eumelanin", "pheomelanin"});
     }
-    NumberRow eumelanin = kEumelanin;
+    FloatParam eumelanin = kEumelanin;
     if (!given("eumelanin") && !given("pheomelanin")) eumelanin.def = kDefaultEumelanin;
     m.eumelanin = {params, named, eumelanin};
     m.pheomelanin = {params, named, kPheomelanin};
@@ -74,7 +74,7 @@ SampledSpectrum HairMaterial::Absorption(const TextureEvalContext &ctx,
     return RGBColorSpace::sRGB().SampleUnbounded(sigma, lambda);
 }
 
-std::string HairMaterial::Remarks() const {
+std::string HairMaterial::Warnings() const {
     std::string text;
     for (const BoundedTexture *t : {&eumelanin, &pheomelanin, &eta, &betaM, &betaN, &alpha})
         t->AddRemark(kName, &text);

@@ -23,7 +23,7 @@ class HairMaterial {
                         betaM.Evaluate(ctx), beta_n, alpha.Evaluate(ctx));
     }
     /// A sentence where texture values had to be clamped; else empty.
-    std::string Remarks() const;
+    std::string Warnings() const;
 
   private:
     enum class Pigment { SigmaA, Reflectance, Melanin };

@@ -25,13 +25,13 @@ using MaterialTypes =
              HairMaterial, DiffuseTransmissionMaterial, CoatedDiffuseMaterial>;
 using Material = MaterialTypes::Variant;
 
-/// Surfaces that let shadow rays through declare kPassesLight.
+/// Surfaces that let shadow rays through declare kHasNullTransmission.
 template <typename M>
-inline constexpr bool PassesLight = requires {
-    M::kPassesLight;
+inline constexpr bool HasNullTransmissionV = requires {
+    M::kHasNullTransmission;
 };
-inline bool LetsLightThrough(const Material &material) {
-    return std::visit([]<typename M>(const M &) { return PassesLight<M>; }, material);
+inline bool HasNullTransmission(const Material &material) {
+    return std::visit([]<typename M>(const M &) { return HasNullTransmissionV<M>; }, material);
 }
 
 /// Materials whose BxDFs have but one lobe, so that Sample_f reads no uc, declare kOneLobe.
@@ -55,11 +55,11 @@ inline constexpr bool IsFibre = requires {
 
 /// Whether the material is the same at every point, so that it needs no uv, nor tangents, where it
 /// does not turn its frame. Types that can be so have a member of that name.
-inline bool IsPlain(const Material &material) {
+inline bool IsUniform(const Material &material) {
     return std::visit(
         [](const auto &m) {
-            if constexpr (requires { m.IsPlain(); })
-                return m.IsPlain();
+            if constexpr (requires { m.IsUniform(); })
+                return m.IsUniform();
             else
                 return false;
         },
@@ -82,11 +82,11 @@ inline std::string_view LaidByUV(const Material &material) {
 }
 
 /// What a material noticed while rendering, as a sentence; else empty.
-inline std::string Remarks(const Material &material) {
+inline std::string Warnings(const Material &material) {
     return std::visit(
         [](const auto &m) -> std::string {
-            if constexpr (requires { m.Remarks(); })
-                return m.Remarks();
+            if constexpr (requires { m.Warnings(); })
+                return m.Warnings();
             else
                 return {};
         },

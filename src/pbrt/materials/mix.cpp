@@ -5,7 +5,7 @@
 namespace pbrt {
 namespace {
 
-constexpr NumberRow kAmount{"amount", "", 0.5f, 0, 1, "share of the second material"};
+constexpr FloatParam kAmount{"amount", "", 0.5f, 0, 1, "share of the second material"};
 
 MaterialId Find(const std::string &name, ParamDict &params, const NamedMaterials &named) {
     const auto found = named.find(name);
@@ -38,7 +38,7 @@ MixMaterial MixMaterial::Create(ParamDict &params, const NamedTextures &textures
     return m;
 }
 
-std::string MixMaterial::Remarks() const {
+std::string MixMaterial::Warnings() const {
     std::string text;
     amount.AddRemark(kName, &text);
     return text;

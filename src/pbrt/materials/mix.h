@@ -8,7 +8,7 @@
 
 namespace pbrt {
 
-/// Number of a scene's material: below kFirstMix an index into World::materials, else a mix.
+/// Number of a scene's material: below kFirstMix an index into RenderScene::materials, else a mix.
 using MaterialId = int;
 inline constexpr MaterialId kFirstMix = 1 << 30;
 inline constexpr MaterialId kInterfaceId = -1;        ///< does not scatter
@@ -34,7 +34,7 @@ struct MixMaterial {
         return HashFloat(ctx.p, d, index) < share ? materials[1] : materials[0];
     }
     /// A sentence where texture values had to be clamped; else empty.
-    std::string Remarks() const;
+    std::string Warnings() const;
 };
 
 }  // namespace pbrt

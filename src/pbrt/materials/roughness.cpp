@@ -3,15 +3,15 @@
 namespace pbrt {
 namespace {
 
-constexpr NumberRow kRoughness{"roughness", "", 0, 0, 1e6f, "microfacet roughness"};
-constexpr NumberRow kURoughness{"uroughness", "", 0, 0, 1e6f, "roughness along dp/du"};
-constexpr NumberRow kVRoughness{"vroughness", "", 0, 0, 1e6f, "roughness along dp/dv"};
+constexpr FloatParam kRoughness{"roughness", "", 0, 0, 1e6f, "microfacet roughness"};
+constexpr FloatParam kURoughness{"uroughness", "", 0, 0, 1e6f, "roughness along dp/du"};
+constexpr FloatParam kVRoughness{"vroughness", "", 0, 0, 1e6f, "roughness along dp/dv"};
 
 }  // namespace
 
 Roughness Roughness::Create(ParamDict &params, const NamedTextures &named) {
     const BoundedTexture both(params, named, kRoughness);
-    const auto overridden = [&](const NumberRow &row) {
+    const auto overridden = [&](const FloatParam &row) {
         const bool given = params.Has(row.name, "float") || params.Has(row.name, "texture");
         return given ? BoundedTexture(params, named, row) : both;
     };
@@ -22,7 +22,7 @@ Roughness Roughness::Create(ParamDict &params, const NamedTextures &named) {
     return r;
 }
 
-std::string Roughness::Remarks(std::string_view owner) const {
+std::string Roughness::Warnings(std::string_view owner) const {
     std::string along, across;
     u.AddRemark(owner, &along);
     v.AddRemark(owner, &across);

@@ -16,7 +16,7 @@ struct Roughness {
         return remap ? Vector2f{std::sqrt(a), std::sqrt(b)} : Vector2f{a, b};
     }
     /// The same everywhere and in every direction.
-    bool IsPlain() const {
+    bool IsUniform() const {
         return u.IsConstant() && v.IsConstant() && u.Constant() == v.Constant();
     }
     /// See LaidByUV of materials.
@@ -24,8 +24,8 @@ struct Roughness {
         const bool differ = u.IsConstant() && v.IsConstant() && u.Constant() != v.Constant();
         return differ ? "directions of roughness" : "";
     }
-    /// See Remarks of materials.
-    std::string Remarks(std::string_view owner) const;
+    /// See Warnings of materials.
+    std::string Warnings(std::string_view owner) const;
 };
 
 }  // namespace pbrt

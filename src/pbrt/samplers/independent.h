@@ -28,14 +28,14 @@ class IndependentSampler {
     Point2f GetPixel2D() { return Get2D(); }
 
     void StartBatch(std::span<const Point2i> pixels) { batch.Start(pixels, seed); }
-    WideFloat Get1D(int dimension, WideUint pixel, WideUint sampleIndex) const {
+    FloatX16 Get1D(int dimension, UintX16 pixel, UintX16 sampleIndex) const {
         return Get2D(dimension, pixel, sampleIndex).x;
     }
-    WidePoint2f Get2D(int dimension, WideUint pixel, WideUint sampleIndex) const {
+    Point2fX16 Get2D(int dimension, UintX16 pixel, UintX16 sampleIndex) const {
         // As Hash goes on.
-        const WideUint64 start =
-            Mix64((batch.At(pixel) + kGolden64) ^ __builtin_convertvector(sampleIndex, WideUint64));
-        const WideUint64 bits = Mix64(start + (uint64_t(dimension) + 1) * kGolden64);
+        const Uint64X16 start =
+            Mix64((batch.At(pixel) + kGolden64) ^ __builtin_convertvector(sampleIndex, Uint64X16));
+        const Uint64X16 bits = Mix64(start + (uint64_t(dimension) + 1) * kGolden64);
         return {ToUnitFloat(HighHalf(bits)), ToUnitFloat(LowHalf(bits))};
     }
 

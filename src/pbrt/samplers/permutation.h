@@ -10,9 +10,9 @@ namespace pbrt {
 
 /// A bijection of the numbers of `bits` bits, chosen by a well-mixed key: three rounds of addition,
 /// i ^= i * even (each bit reaches the higher ones) and i ^= i >> half (the lower ones).
-/// How random: if the elements are dealt out to two dimensions by two keys, the variance of the
-/// product of two Walsh functions is that of random permutations, n / (n - 1), to within 20 % for
-/// n = 4 to 64; one nested shuffle alone is wrong by a factor n. U: uint32_t or WideUint.
+/// How random: if the elements are interleaved out to two dimensions by two keys, the variance of
+/// the product of two Walsh functions is that of random permutations, n / (n - 1), to within 20 %
+/// for n = 4 to 64; one nested shuffle alone is wrong by a factor n. U: uint32_t or UintX16.
 class BitPermutation {
   public:
     explicit BitPermutation(int bits)
@@ -39,7 +39,7 @@ class BitPermutation {
 
 /// A random permutation of {0, ..., n - 1}, 1 <= n <= 2^20: a bijection of the next power of two,
 /// repeated until it hits the set ("cycle walking", Black and Rogaway 2002), and a rotation, which
-/// makes each place exactly as likely. U: uint32_t or WideUint.
+/// makes each place exactly as likely. U: uint32_t or UintX16.
 class Permutation {
   public:
     explicit Permutation(uint32_t n) : n(n), bits(std::bit_width(n - 1)) {}

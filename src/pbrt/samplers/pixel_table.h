@@ -11,15 +11,18 @@ namespace pbrt {
 class PixelTable {
   public:
     /// Pixels are counted up to the next multiple of sixteen.
-    void Resize(size_t pixels) { values.resize((pixels + kWide - 1) / kWide * kWide); }
+    void Resize(size_t pixels) {
+        values.resize((pixels + kPacketSize - 1) / kPacketSize * kPacketSize);
+    }
     size_t Size() const { return values.size(); }
     uint32_t &operator[](size_t pixel) { return values[pixel]; }
     /// Of the sixteen pixels from `first` on.
-    WideUint From(size_t first) const { return LoadWide(&values[first]); }
-    void SetFrom(size_t first, WideUint v) { StoreWide(v, &values[first]); }
+    UintX16 From(size_t first) const { return LoadWide(&values[first]); }
+    void SetFrom(size_t first, UintX16 v) { StoreWide(v, &values[first]); }
     /// Of pixel[lane] in each lane.
-    WideUint At(WideUint pixel) const {
-        return values.size() == kWide ? Permute(From(0), pixel) : Gather(values.data(), pixel);
+    UintX16 At(UintX16 pixel) const {
+        return values.size() == kPacketSize ? Permute(From(0), pixel)
+                                            : Gather(values.data(), pixel);
     }
 
   private:
@@ -38,7 +41,7 @@ class PixelHashes {
             high[i] = uint32_t(bits >> 32);
         }
     }
-    WideUint64 At(WideUint pixel) const { return Join(low.At(pixel), high.At(pixel)); }
+    Uint64X16 At(UintX16 pixel) const { return Join(low.At(pixel), high.At(pixel)); }
 
   private:
     PixelTable low, high;

@@ -27,13 +27,13 @@ struct SamplerContext {
 // `dimension` counts draws of either kind.
 // For many samples side by side, pixels of a batch by their place in the span:
 //   void StartBatch(std::span<const Point2i> pixels)
-//   WideFloat Get1D(int dimension, WideUint pixel, WideUint index)
-//   WidePoint2f Get2D(int dimension, WideUint pixel, WideUint index)
+//   FloatX16 Get1D(int dimension, UintX16 pixel, UintX16 index)
+//   Point2fX16 Get2D(int dimension, UintX16 pixel, UintX16 index)
 // with the law: lane by lane what StartPixelSample(pixels[pixel], index, dimension) and Get1D or
 // Get2D give. In lanes whose numbers nobody wants pixel must still lie in the span; index may be
 // anything. Batches hold until the next StartBatch; the span is read by StartBatch alone. What
 // depends on the pixels is made where first asked for and kept in the sampler (about 200 bytes a
-// pixel), so each thread has a sampler of its own, copied from the World's.
+// pixel), so each thread has a sampler of its own, copied from the RenderScene's.
 // `Sampler` is the closed set of them; the render loop visits it once per tile, not per number.
 
 }  // namespace pbrt

@@ -43,30 +43,30 @@ class StratifiedSampler {
     Point2f GetPixel2D() { return Get2D(); }
 
     void StartBatch(std::span<const Point2i> pixels) { batch.Start(pixels, seed); }
-    WideFloat Get1D(int dimension, WideUint pixel, WideUint sampleIndex) const {
+    FloatX16 Get1D(int dimension, UintX16 pixel, UintX16 sampleIndex) const {
         return InBatch(dimension, pixel, sampleIndex).single;
     }
-    WidePoint2f Get2D(int dimension, WideUint pixel, WideUint sampleIndex) const {
+    Point2fX16 Get2D(int dimension, UintX16 pixel, UintX16 sampleIndex) const {
         const Numbers n = InBatch(dimension, pixel, sampleIndex);
         return {n.x, n.y};
     }
 
   private:
     struct Numbers {
-        WideFloat single, x, y;
+        FloatX16 single, x, y;
     };
 
     int NextLane() {
         return block.Next([this](int first) {
-            numbers = NumbersOf(uint32_t(first) + kLaneNumbers, WideUint64{} + pixelBits,
+            numbers = NumbersOf(uint32_t(first) + kLaneNumbers, Uint64X16{} + pixelBits,
                                 Broadcast16(index));
         });
     }
-    Numbers InBatch(int dimension, WideUint pixel, WideUint sampleIndex) const {
+    Numbers InBatch(int dimension, UintX16 pixel, UintX16 sampleIndex) const {
         return NumbersOf(Broadcast16(uint32_t(dimension)), batch.At(pixel),
-                         Select(sampleIndex < order.Size(), sampleIndex, WideUint{}));
+                         Select(sampleIndex < order.Size(), sampleIndex, UintX16{}));
     }
-    Numbers NumbersOf(WideUint dimension, const WideUint64 &hashes, WideUint sampleIndex) const;
+    Numbers NumbersOf(UintX16 dimension, const Uint64X16 &hashes, UintX16 sampleIndex) const;
 
     Permutation order;
     float xSamples, ySamples;
@@ -79,20 +79,20 @@ class StratifiedSampler {
     PixelHashes batch;
 };
 
-inline StratifiedSampler::Numbers StratifiedSampler::NumbersOf(WideUint dimension,
-                                                               const WideUint64 &hashes,
-                                                               WideUint sampleIndex) const {
-    const WideUint step = dimension * 0x9e3779b9;
-    const WideUint cell =
+inline StratifiedSampler::Numbers StratifiedSampler::NumbersOf(UintX16 dimension,
+                                                               const Uint64X16 &hashes,
+                                                               UintX16 sampleIndex) const {
+    const UintX16 step = dimension * 0x9e3779b9;
+    const UintX16 cell =
         order(sampleIndex, Mix32(step + LowHalf(hashes)), Mix32(step + HighHalf(hashes)));
-    const WideUint64 sampleBits =
-        Mix64(hashes + kGolden64 * __builtin_convertvector(sampleIndex + 1, WideUint64));
-    const WideFloat inX = middle + spread * ToUnitFloat(Mix32(step + LowHalf(sampleBits)));
-    const WideFloat inY = middle + spread * ToUnitFloat(Mix32(step + HighHalf(sampleBits)));
+    const Uint64X16 sampleBits =
+        Mix64(hashes + kGolden64 * __builtin_convertvector(sampleIndex + 1, Uint64X16));
+    const FloatX16 inX = middle + spread * ToUnitFloat(Mix32(step + LowHalf(sampleBits)));
+    const FloatX16 inY = middle + spread * ToUnitFloat(Mix32(step + HighHalf(sampleBits)));
     const float width = 1 / xSamples, height = 1 / ySamples;
-    const WideFloat place = ToFloat(cell);
+    const FloatX16 place = ToFloat(cell);
     // Half a cell away from the integers rounding does not matter up to 2^20 cells.
-    const WideFloat row = Floor((place + 0.5f) * width);
+    const FloatX16 row = Floor((place + 0.5f) * width);
     return {Min((place + inX) * (width * height), OneMinusEpsilon),
             Min((place - row * xSamples + inX) * width, OneMinusEpsilon),
             Min((row + inY) * height, OneMinusEpsilon)};

@@ -66,10 +66,10 @@ class ZSobolSampler {
     Point2f GetPixel2D() { return Get2D(); }
 
     void StartBatch(std::span<const Point2i> pixels);
-    WideFloat Get1D(int dimension, WideUint pixel, WideUint sampleIndex) {
+    FloatX16 Get1D(int dimension, UintX16 pixel, UintX16 sampleIndex) {
         return Get2D(dimension, pixel, sampleIndex).x;
     }
-    WidePoint2f Get2D(int dimension, WideUint pixel, WideUint sampleIndex) {
+    Point2fX16 Get2D(int dimension, UintX16 pixel, UintX16 sampleIndex) {
         const BatchDimension &t = InBatch(dimension);
         return Numbers({t.firstPoint.At(pixel), t.carry.At(pixel), t.order.At(pixel)}, t.keys,
                        sampleIndex);
@@ -80,12 +80,12 @@ class ZSobolSampler {
 
     /// What a dimension needs to know about a pixel, sixteen times.
     struct PixelPlace {
-        WideUint firstPoint;  ///< place of the pixel's samples in the sequence, modulo 2^32
-        WideUint carry;       ///< that place divided by 2^32
-        WideUint order;       ///< key of the order of the samples
+        UintX16 firstPoint;  ///< place of the pixel's samples in the sequence, modulo 2^32
+        UintX16 carry;       ///< that place divided by 2^32
+        UintX16 order;       ///< key of the order of the samples
     };
     struct DimensionKeys {
-        WideUint order, x, y;
+        UintX16 order, x, y;
     };
     struct PixelBlock {
         PixelPlace place;
@@ -97,13 +97,13 @@ class ZSobolSampler {
         PixelTable firstPoint, carry, order;
     };
 
-    DimensionKeys KeysOf(WideUint dimension) const;
-    PixelPlace PlaceOf(WideUint mortonCode, const DimensionKeys &keys) const;
-    WidePoint2f Numbers(const PixelPlace &place, const DimensionKeys &keys,
-                        WideUint sampleIndex) const;
+    DimensionKeys KeysOf(UintX16 dimension) const;
+    PixelPlace PlaceOf(UintX16 mortonCode, const DimensionKeys &keys) const;
+    Point2fX16 Numbers(const PixelPlace &place, const DimensionKeys &keys,
+                       UintX16 sampleIndex) const;
     template <typename Scramble>
-    WidePoint2f Numbers(const PixelPlace &place, const DimensionKeys &keys, WideUint sampleIndex,
-                        Scramble scramble) const;
+    Point2fX16 Numbers(const PixelPlace &place, const DimensionKeys &keys, UintX16 sampleIndex,
+                       Scramble scramble) const;
     void FillNumbers(int first);
     const BatchDimension &InBatch(int dimension) {
         BatchDimension &t = batch[size_t(dimension % kKnownDimensions)];
@@ -120,65 +120,65 @@ class ZSobolSampler {
     uint32_t knownBlocks = 0;  ///< bit k: pixelBlocks[k] holds for the current pixel
     uint32_t index = 0;        ///< of the current sample
     DimensionBlock block;
-    WidePoint2f numbers;
+    Point2fX16 numbers;
     std::array<PixelBlock, kKnownBlocks> pixelBlocks{};
     PixelTable batchMorton;
     std::array<BatchDimension, kKnownDimensions> batch;  ///< [dimension % size]
 };
 
-inline ZSobolSampler::DimensionKeys ZSobolSampler::KeysOf(WideUint dimension) const {
-    const WideUint key = Mix32(dimension * 0x9e3779b9 + seedBits);
+inline ZSobolSampler::DimensionKeys ZSobolSampler::KeysOf(UintX16 dimension) const {
+    const UintX16 key = Mix32(dimension * 0x9e3779b9 + seedBits);
     return {key, Mix32(key + 1), Mix32(key + 2)};
 }
 
-inline ZSobolSampler::PixelPlace ZSobolSampler::PlaceOf(WideUint mortonCode,
+inline ZSobolSampler::PixelPlace ZSobolSampler::PlaceOf(UintX16 mortonCode,
                                                         const DimensionKeys &keys) const {
-    WideUint pixelIndex{};
+    UintX16 pixelIndex{};
     for (int level = levels - 1; level >= 0; --level) {
         // A node of the quadtree: the digits above this one, and a bit that tells how many.
         const uint32_t depthBit = uint32_t(1) << (2 * (levels - 1 - level));
-        const WideUint node = Mix32((mortonCode >> (2 * level + 1) >> 1) | depthBit);
-        const WideUint digit = mortonCode >> (2 * level);
-        const WideUint low = -(digit & 1), high = -((digit >> 1) & 1);
+        const UintX16 node = Mix32((mortonCode >> (2 * level + 1) >> 1) | depthBit);
+        const UintX16 digit = mortonCode >> (2 * level);
+        const UintX16 low = -(digit & 1), high = -((digit >> 1) & 1);
         // Each permutation of four things is an affine map of GF(2)^2: two different columns
         // other than 0, and a constant.
-        const WideUint h = Mix32(node ^ keys.order);
-        const WideUint a = 1 + (((h >> 16) * 3) >> 16);
-        const WideUint further = a + 1 + ((h >> 2) & 1);
-        const WideUint c = Select(further > 3, further - 3, further);
+        const UintX16 h = Mix32(node ^ keys.order);
+        const UintX16 a = 1 + (((h >> 16) * 3) >> 16);
+        const UintX16 further = a + 1 + ((h >> 2) & 1);
+        const UintX16 c = Select(further > 3, further - 3, further);
         pixelIndex = (pixelIndex << 2) | ((h & 3) ^ (a & low) ^ (c & high));
     }
     return {pixelIndex << log2Samples,
-            log2Samples == 0 ? WideUint{} : pixelIndex >> (32 - log2Samples),
+            log2Samples == 0 ? UintX16{} : pixelIndex >> (32 - log2Samples),
             Mix32(Mix32(mortonCode + 3) ^ keys.order)};
 }
 
 template <typename Scramble>
-WidePoint2f ZSobolSampler::Numbers(const PixelPlace &place, const DimensionKeys &keys,
-                                   WideUint sampleIndex, Scramble scramble) const {
-    const WideUint point = place.firstPoint | BitPermutation(log2Samples)(sampleIndex, place.order);
+Point2fX16 ZSobolSampler::Numbers(const PixelPlace &place, const DimensionKeys &keys,
+                                  UintX16 sampleIndex, Scramble scramble) const {
+    const UintX16 point = place.firstPoint | BitPermutation(log2Samples)(sampleIndex, place.order);
     // The sixth step of the butterfly folds the point's upper 32 bits onto the lower.
     return {ToUnitFloat(ReverseBits32(scramble(point, keys.x))),
             ToUnitFloat(ReverseBits32(scramble(SobolYReversed(point ^ place.carry), keys.y)))};
 }
 
-inline WidePoint2f ZSobolSampler::Numbers(const PixelPlace &place, const DimensionKeys &keys,
-                                          WideUint sampleIndex) const {
+inline Point2fX16 ZSobolSampler::Numbers(const PixelPlace &place, const DimensionKeys &keys,
+                                         UintX16 sampleIndex) const {
     const auto numbers = [&](auto scramble) { return Numbers(place, keys, sampleIndex, scramble); };
     switch (randomization) {
         case Randomization::None:
-            return numbers([](WideUint v, WideUint) { return v; });
+            return numbers([](UintX16 v, UintX16) { return v; });
         case Randomization::PermuteDigits:
-            return numbers([](WideUint v, WideUint key) { return v ^ key; });
+            return numbers([](UintX16 v, UintX16 key) { return v ^ key; });
         case Randomization::Owen:
-            return numbers([](WideUint v, WideUint key) { return OwenReversed(v, key); });
+            return numbers([](UintX16 v, UintX16 key) { return OwenReversed(v, key); });
         default:
-            return numbers([](WideUint v, WideUint key) { return FastOwenReversed(v, key); });
+            return numbers([](UintX16 v, UintX16 key) { return FastOwenReversed(v, key); });
     }
 }
 
 inline void ZSobolSampler::FillNumbers(int first) {
-    const int which = first / kWide;
+    const int which = first / kPacketSize;
     PixelBlock local;
     const bool keep = which < kKnownBlocks;
     PixelBlock &b = keep ? pixelBlocks[size_t(which)] : local;
@@ -203,7 +203,7 @@ inline void ZSobolSampler::FillBatchDimension(int dimension, BatchDimension &t) 
     t.keys = KeysOf(Broadcast16(uint32_t(dimension)));
     for (PixelTable *table : {&t.firstPoint, &t.carry, &t.order})
         table->Resize(batchMorton.Size());
-    for (size_t i = 0; i < batchMorton.Size(); i += kWide) {
+    for (size_t i = 0; i < batchMorton.Size(); i += kPacketSize) {
         const PixelPlace place = PlaceOf(batchMorton.From(i), t.keys);
         t.firstPoint.SetFrom(i, place.firstPoint);
         t.carry.SetFrom(i, place.carry);

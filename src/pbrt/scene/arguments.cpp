@@ -87,7 +87,7 @@ std::optional<Matrix4> Parser::BracketedMatrix() {
 void Parser::Expected(std::string_view what) {
     const Token &t = lexer->Peek();
     if (t.kind == TokenKind::Broken || lexer->ReportMissingQuote()) return;  // by the lexer
-    Error(lexer->Loc(), fmt::format("expected {}, found {}", what, Shown(t)));
+    Error(lexer->Loc(), fmt::format("expected {}, found {}", what, Describe(t)));
 }
 
 void Parser::Error(const FileLoc &loc, std::string_view message) {

@@ -4,7 +4,7 @@
 
 namespace pbrt {
 
-SceneBuilder::SceneBuilder(Description *scene, Diagnostics *log) : scene(scene), log(log) {}
+SceneBuilder::SceneBuilder(SceneDescription *scene, Diagnostics *log) : scene(scene), log(log) {}
 
 void SceneBuilder::Camera(Entity camera) {
     scene->camera = std::move(camera);
@@ -142,7 +142,7 @@ void SceneBuilder::ObjectInstance(const std::string &name, const FileLoc &loc) {
 
 // --- Entities ---
 
-bool SceneBuilder::Define(Places *places, std::string_view kind, const std::string &name,
+bool SceneBuilder::Define(Definitions *places, std::string_view kind, const std::string &name,
                           const FileLoc &loc) {
     const auto [entry, isNew] = places->try_emplace(name, loc);
     if (isNew) return true;

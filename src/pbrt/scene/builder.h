@@ -16,11 +16,11 @@ enum class AttributeTarget { Shape, Light, Material, Medium, Texture };
 inline constexpr std::array<std::string_view, 5> kAttributeTargets{"shape", "light", "material",
                                                                    "medium", "texture"};
 
-/// Gives the directives their meaning: keeps the graphics state and fills a Description. Mistakes
-/// in the order and names of directives are reported to the diagnostics.
+/// Gives the directives their meaning: keeps the graphics state and fills a SceneDescription.
+/// Mistakes in the order and names of directives are reported to the diagnostics.
 class SceneBuilder {
   public:
-    SceneBuilder(Description *scene, Diagnostics *log);
+    SceneBuilder(SceneDescription *scene, Diagnostics *log);
 
     bool InWorld() const { return inWorld; }
     const RGBColorSpace *ColorSpace() const { return state.colorSpace; }
@@ -88,7 +88,7 @@ class SceneBuilder {
         std::map<std::string, TransformPair> coordinateSystems;
         ObjectEntity *object;
     };
-    using Places = std::unordered_map<std::string, FileLoc>;
+    using Definitions = std::unordered_map<std::string, FileLoc>;
 
     void Push(bool isObject, const FileLoc &loc);
     bool Pop(bool isObject, const FileLoc &loc);
@@ -96,14 +96,15 @@ class SceneBuilder {
     /// Appends what Attribute directives add to the entities of this kind.
     void Inherit(AttributeTarget target, Entity *entity) const;
     /// Notes a definition; an error and false where the name is taken.
-    bool Define(Places *places, std::string_view kind, const std::string &name, const FileLoc &loc);
+    bool Define(Definitions *places, std::string_view kind, const std::string &name,
+                const FileLoc &loc);
     /// Warns that the transform at the shutter's start stands for a moving one.
     void WarnIfMoving(std::string_view what, const FileLoc &loc);
     bool IsMoving() const { return state.ctm[0] != state.ctm[1]; }
     void CheckMaterialUses();
     void CheckInstanceUses();
 
-    Description *scene;
+    SceneDescription *scene;
     Diagnostics *log;
     State state;
     std::vector<Scope> scopes;
@@ -113,7 +114,7 @@ class SceneBuilder {
     ObjectEntity *object = nullptr;  ///< being defined
     std::string objectName;
     ObjectEntity redefined;  ///< takes what a refused definition holds
-    Places floatTextures, spectrumTextures, namedMaterials;
+    Definitions floatTextures, spectrumTextures, namedMaterials;
     std::vector<std::pair<std::string, FileLoc>> materialUses;  ///< by shapes
 };
 

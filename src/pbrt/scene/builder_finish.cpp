@@ -24,7 +24,7 @@ constexpr int kMostLevels = 1000;
 /// Takes out of all objects the uses that make one contain itself, or too many levels, depth first.
 class InstanceCycles {
   public:
-    InstanceCycles(Description *scene, Diagnostics *log) : scene(scene), log(log) {}
+    InstanceCycles(SceneDescription *scene, Diagnostics *log) : scene(scene), log(log) {}
 
     /// The levels of objects in this one, itself counted.
     int Visit(const std::string &name) {
@@ -50,7 +50,7 @@ class InstanceCycles {
     }
 
   private:
-    Description *scene;
+    SceneDescription *scene;
     Diagnostics *log;
     std::set<std::string> above;
     std::map<std::string, int> levels;

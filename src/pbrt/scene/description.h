@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "pbrt/scene/entity_queue.h"
+#include "pbrt/scene/packed_entities.h"
 
 namespace pbrt {
 
@@ -34,7 +34,7 @@ struct InstanceUse {
 /// ObjectBegin ... ObjectEnd: shapes in world coordinates of the definition, and nested uses.
 struct ObjectEntity {
     FileLoc loc;
-    EntityQueue<ShapeEntity> shapes;
+    PackedEntities<ShapeEntity> shapes;
     std::vector<InstanceUse> instances;
 };
 
@@ -53,15 +53,15 @@ struct Options {
 std::span<const std::string_view> OptionNames();
 
 /// A whole scene as written: plain entities, printable, nothing interpreted.
-struct Description {
+struct SceneDescription {
     Entity film, camera, sampler, filter, integrator, accelerator;
     TransformPair cameraFromWorld;
     float transformStart = 0, transformEnd = 1;
-    EntityQueue<Entity> materials;  ///< those without names
+    PackedEntities<Entity> materials;  ///< those without names
     std::vector<NamedMaterialEntity> namedMaterials;
     std::vector<TextureEntity> textures;  ///< in file order
     std::vector<LightEntity> lights;
-    EntityQueue<ShapeEntity> shapes;
+    PackedEntities<ShapeEntity> shapes;
     std::map<std::string, ObjectEntity> objects;
     std::vector<InstanceUse> instances;
     Options options;
@@ -74,9 +74,9 @@ struct Description {
 /// values on entry. Named materials that shapes refer to and that are not defined are reported.
 /// Every object that is used is defined, and none contains itself: what would is reported and left
 /// out.
-void ParseFiles(const std::vector<std::string> &files, Description &scene, Diagnostics &log);
+void ParseFiles(const std::vector<std::string> &files, SceneDescription &scene, Diagnostics &log);
 /// The same from text; `name` stands for the file in messages, `dir` for its folder.
 void ParseString(std::string_view text, std::string_view name, std::string_view dir,
-                 Description &scene, Diagnostics &log);
+                 SceneDescription &scene, Diagnostics &log);
 
 }  // namespace pbrt

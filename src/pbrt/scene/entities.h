@@ -24,7 +24,7 @@ struct ShapeEntity : Entity {
     TransformPair worldFromObject;
     bool reverseOrientation = false;
     std::string namedMaterial;  ///< set where NamedMaterial was current
-    int material = -1;          ///< else index into Description::materials; -1: the default
+    int material = -1;          ///< else index into SceneDescription::materials; -1: the default
     std::shared_ptr<const Entity> areaLight;  ///< null where none
 };
 

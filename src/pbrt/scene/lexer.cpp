@@ -184,7 +184,7 @@ bool Lexer::ReportMissingQuote() {
     return true;
 }
 
-std::string Shown(const Token &token) {
+std::string Describe(const Token &token) {
     constexpr size_t kLongest = 60;
     std::string text(token.text.substr(0, kLongest));
     if (token.text.size() > kLongest) text += "...";

@@ -70,6 +70,6 @@ class Lexer {
 };
 
 /// The token as messages show it, long texts cut: `"x"`, `the string "x"`, `the end of the file`.
-std::string Shown(const Token &token);
+std::string Describe(const Token &token);
 
 }  // namespace pbrt

@@ -182,7 +182,7 @@ bool ParameterReader::ReadBool(Lexer &lexer) {
 bool ParameterReader::IsLast(Lexer &lexer) {
     if (!IsLooseValue(lexer.Peek())) return true;
     return Fail(lexer.Loc(), fmt::format("found a second value {}; write several values in [ ]",
-                                         Shown(lexer.Peek())));
+                                         Describe(lexer.Peek())));
 }
 
 void ParameterReader::SkipValues(Lexer &lexer) {
@@ -212,8 +212,8 @@ bool ParameterReader::Expected(Lexer &lexer, std::string_view what) {
     if (lexer.ReportMissingQuote()) return false;
     const Token &t = lexer.Peek();
     if (t.kind == TokenKind::Broken) return false;  // reported by the lexer
-    return Fail(lexer.Loc(),
-                fmt::format("expected {}{}, found {}", what, inList ? " or \"]\"" : "", Shown(t)));
+    return Fail(lexer.Loc(), fmt::format("expected {}{}, found {}", what, inList ? " or \"]\"" : "",
+                                         Describe(t)));
 }
 
 }  // namespace pbrt

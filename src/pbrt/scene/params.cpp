@@ -16,7 +16,7 @@ size_t TokenCount(const ParsedParameter &p) {
 }
 
 /// Text that outlives the dictionary; types come from a fixed list.
-std::string_view Lasting(std::string_view type) {
+std::string_view InternedType(std::string_view type) {
     const ParamType *const known = FindParamType(type);
     return known ? known->name : std::string_view();
 }
@@ -49,7 +49,7 @@ ParamDict::ParamDict(ParsedParameters &&given, FileLoc directive, std::string wh
 
 // --- Look-up ---
 
-std::optional<size_t> ParamDict::Winner(std::string_view name, Types types) const {
+std::optional<size_t> ParamDict::FindLast(std::string_view name, Types types) const {
     for (const bool inherited : {false, true})
         for (size_t i = params.size(); i-- > 0;) {
             const ParsedParameter &p = params[i];
@@ -60,16 +60,16 @@ std::optional<size_t> ParamDict::Winner(std::string_view name, Types types) cons
     return {};
 }
 
-void ParamDict::Ask(std::string_view name, std::string_view type) {
-    for (const Asked &a : asked)
+void ParamDict::NoteRequest(std::string_view name, std::string_view type) {
+    for (const Request &a : asked)
         if (a.name == name && a.type == type) return;
-    asked.push_back({std::string(name), Lasting(type)});
+    asked.push_back({std::string(name), InternedType(type)});
 }
 
 const ParsedParameter *ParamDict::Find(std::string_view name, Types types) {
     for (const std::string_view type : types)
-        Ask(name, type);
-    const std::optional<size_t> winner = Winner(name, types);
+        NoteRequest(name, type);
+    const std::optional<size_t> winner = FindLast(name, types);
     if (!winner) return nullptr;
     used[*winner] = true;
     return &params[*winner];
@@ -99,12 +99,12 @@ const std::vector<float> *ParamDict::FindGroups(std::string_view name, std::stri
 }
 
 bool ParamDict::Has(std::string_view name, std::string_view type) {
-    Ask(name, type);
-    return (type.empty() ? Winner(name, {}) : Winner(name, {type})).has_value();
+    NoteRequest(name, type);
+    return (type.empty() ? FindLast(name, {}) : FindLast(name, {type})).has_value();
 }
 
 FileLoc ParamDict::Loc(std::string_view name) const {
-    const std::optional<size_t> i = Winner(name, {});
+    const std::optional<size_t> i = FindLast(name, {});
     return i ? params[*i].loc : directive;
 }
 
@@ -131,7 +131,7 @@ float ParamDict::GetOneFloat(std::string_view name, float def) {
     return p ? p->floats[0] : def;
 }
 
-float ParamDict::GetOneFloat(const NumberRow &row) {
+float ParamDict::GetOneFloat(const FloatParam &row) {
     const ParsedParameter *const p = FindOne(row.name, "float", 1);
     return p && InRange(*p, p->floats[0], row.lo, row.hi, row.unit) ? p->floats[0] : row.def;
 }
@@ -203,9 +203,9 @@ std::string ParamDict::GetFileName(std::string_view name, std::string_view def) 
 }
 
 std::optional<std::string> ParamDict::GetTexture(std::string_view name) {
-    Ask(name, "texture");
+    NoteRequest(name, "texture");
     const std::optional<size_t> i =
-        Winner(name, {"texture", "float", "rgb", "spectrum", "blackbody"});
+        FindLast(name, {"texture", "float", "rgb", "spectrum", "blackbody"});
     if (!i || params[*i].type != "texture") return {};
     used[*i] = true;
     if (!CountIs(params[*i], 1)) return {};

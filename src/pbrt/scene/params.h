@@ -38,7 +38,7 @@ enum class SpectrumType { Albedo, Unbounded, Illuminant };
 
 /// A number's name, unit, default, range and meaning: one row of a plug-in's table. The same rows
 /// feed parsing, range errors, the manual (--help-plugin) and the tests' corner cases.
-struct NumberRow {
+struct FloatParam {
     std::string_view name, unit;
     float def, lo, hi;
     std::string_view doc;
@@ -62,7 +62,7 @@ class ParamDict {
 
     float GetOneFloat(std::string_view name, float def);
     /// Range-checked: outside [row.lo, row.hi] is an error that names value, range and unit.
-    float GetOneFloat(const NumberRow &row);
+    float GetOneFloat(const FloatParam &row);
     int GetOneInt(std::string_view name, int def);
     /// Range-checked as above.
     int GetOneInt(std::string_view name, int def, int lo, int hi);
@@ -122,7 +122,7 @@ class ParamDict {
   private:
     /// Types a name may have, for slots that take several.
     using Types = std::initializer_list<std::string_view>;
-    struct Asked {
+    struct Request {
         std::string name;
         std::string_view type;  ///< empty: any
     };
@@ -132,8 +132,8 @@ class ParamDict {
     /// The same for a single value made of `items` tokens; nullptr also where the count is wrong.
     const ParsedParameter *FindOne(std::string_view name, std::string_view type, size_t items);
     /// Index of the parameter that counts among those of these types (any, if none are given).
-    std::optional<size_t> Winner(std::string_view name, Types types) const;
-    void Ask(std::string_view name, std::string_view type);
+    std::optional<size_t> FindLast(std::string_view name, Types types) const;
+    void NoteRequest(std::string_view name, std::string_view type);
     bool CountIs(const ParsedParameter &p, size_t count);
     /// The values in groups of `items`, of which a wrong count leaves out the last.
     const std::vector<float> *FindGroups(std::string_view name, std::string_view type,
@@ -155,7 +155,7 @@ class ParamDict {
     std::shared_ptr<const ParsedParameters> own;
     std::span<const ParsedParameter> params;
     std::vector<uint8_t> used;
-    std::vector<Asked> asked;  ///< in order, each once
+    std::vector<Request> asked;  ///< in order, each once
     FileLoc directive;
     std::string what;
     const RGBColorSpace *colorSpace;

@@ -48,7 +48,7 @@ void ParamDict::ReportUnused(const ParsedParameter &p, size_t index) {
     std::vector<std::string> expected;
     std::vector<std::string_view> known;
     bool inAnyType = false;
-    for (const Asked &a : asked) {
+    for (const Request &a : asked) {
         if (std::find(known.begin(), known.end(), a.name) == known.end()) known.push_back(a.name);
         if (a.name != p.name) continue;
         if (a.type == p.type)

@@ -39,7 +39,7 @@ std::string CanonicalPath(const std::string &path) {
 
 }  // namespace
 
-Parser::Parser(Description *scene, Diagnostics *log)
+Parser::Parser(SceneDescription *scene, Diagnostics *log)
     : scene(scene), log(log), builder(scene, log), parameters(log) {}
 
 void Parser::ReadFile(const std::string &path) {
@@ -106,9 +106,9 @@ void Parser::ReadDirective() {
 void Parser::RefuseDirective(const Token &token) {
     if (token.kind == TokenKind::Broken) return;  // reported by the lexer
     if (token.kind != TokenKind::Word || !IsName(token.text))
-        return log->Error(at, fmt::format("expected a directive, found {}", Shown(token)));
+        return log->Error(at, fmt::format("expected a directive, found {}", Describe(token)));
     const std::string_view old = OldDirectiveHint(token.text);
-    log->Error(at, fmt::format("unknown directive {}{}", Shown(token),
+    log->Error(at, fmt::format("unknown directive {}{}", Describe(token),
                                old.empty() ? DidYouMean(token.text, DirectiveNames())
                                            : fmt::format("; {}", old)));
 }
@@ -172,7 +172,7 @@ void Parser::ReportCycle(const OpenFile &again, const FileLoc &use) {
     log->Error(use, fmt::format("the file includes itself: {}\"{}\"", chain, again.shown));
 }
 
-void ParseFiles(const std::vector<std::string> &files, Description &scene, Diagnostics &log) {
+void ParseFiles(const std::vector<std::string> &files, SceneDescription &scene, Diagnostics &log) {
     Parser parser(&scene, &log);
     if (files.empty()) parser.ReadFile("-");
     for (const std::string &file : files)
@@ -181,7 +181,7 @@ void ParseFiles(const std::vector<std::string> &files, Description &scene, Diagn
 }
 
 void ParseString(std::string_view text, std::string_view name, std::string_view dir,
-                 Description &scene, Diagnostics &log) {
+                 SceneDescription &scene, Diagnostics &log) {
     Parser parser(&scene, &log);
     parser.ReadText(text, name, dir);
     parser.Finish();

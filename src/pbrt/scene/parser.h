@@ -15,7 +15,7 @@ namespace pbrt {
 /// it goes on at the next directive, so that one run reports them all.
 class Parser {
   public:
-    Parser(Description *scene, Diagnostics *log);
+    Parser(SceneDescription *scene, Diagnostics *log);
     /// A top-level file: a path, or "-" for standard input.
     void ReadFile(const std::string &path);
     /// A top-level file's text.
@@ -78,7 +78,7 @@ class Parser {
     /// An error about the directive being read.
     void Error(const FileLoc &loc, std::string_view message);
 
-    Description *scene;
+    SceneDescription *scene;
     Diagnostics *log;
     SceneBuilder builder;
     ParameterReader parameters;

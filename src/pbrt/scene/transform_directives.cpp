@@ -86,7 +86,7 @@ void Parser::ActiveTransform() {
     else if (t.text == kWhich[1] || t.text == kWhich[2])
         builder.ActivateTransforms(t.text == kWhich[1], t.text == kWhich[2]);
     else
-        Error(lexer->Loc(), fmt::format("{} is not All, StartTime or EndTime{}", Shown(t),
+        Error(lexer->Loc(), fmt::format("{} is not All, StartTime or EndTime{}", Describe(t),
                                         DidYouMean(t.text, kWhich)));
     lexer->Advance();
 }

@@ -3,12 +3,12 @@
 #include <algorithm>
 
 #include "pbrt/shapes/rounding.h"
-#include "pbrt/shapes/surface_point.h"
+#include "pbrt/shapes/surface_interaction.h"
 #include "pbrt/shapes/types.h"
 
 namespace pbrt {
 
-// T: float or WideFloat.
+// T: float or FloatX16.
 
 /// The corners of one patch.
 template <typename T>
@@ -103,7 +103,7 @@ struct FlatHit {
 
 /// uv of the mesh, and tangents with respect to them where they are given.
 inline void SetPatchUV(const BilinearMesh &mesh, const uint32_t *i, Point2f patchUV,
-                       SurfacePoint *s) {
+                       SurfaceInteraction *s) {
     s->uv = patchUV;
     if (mesh.uv.empty()) return;
     const Point2f uv00 = mesh.uv[i[0]], uv10 = mesh.uv[i[1]], uv01 = mesh.uv[i[2]],
@@ -132,12 +132,12 @@ inline Vec3<T> FlatPatchError(const PatchT<T> &q, const FlatHit<T> &at, Vec3<T> 
 }
 
 template <bool kWithError>
-inline SurfacePoint InteractBilinear(const BilinearMesh &mesh, const Hit &hit) {
+inline SurfaceInteraction BilinearSurface(const BilinearMesh &mesh, const Hit &hit) {
     const uint32_t *i = PatchIndices(mesh, hit.primitive);
     const Patch q = GetPatch(mesh, hit.primitive);
     const Point2f uv = mesh.planar ? PatchFromLinear(q, hit.u, hit.v) : Point2f{hit.u, hit.v};
     const BilinearWeights w(uv);
-    SurfacePoint s;
+    SurfaceInteraction s;
     s.dpdu = q.DpDu(uv.y);
     s.dpdv = q.DpDv(uv.x);
     s.n = PatchNormal(q, s.dpdu, s.dpdv);

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "pbrt/shapes/rounding.h"
-#include "pbrt/shapes/surface_point.h"
+#include "pbrt/shapes/surface_interaction.h"
 #include "pbrt/shapes/types.h"
 #include "pbrt/util/math.h"
 
@@ -31,7 +31,7 @@ struct CurveAt {
 /// direction to the ray's origin are right-handed; left-handed where a transform has mirrored the
 /// curve, be it an instance's or its own. A ray that leaves starts a whole width off, for the curve
 /// turns to face it.
-inline SurfacePoint InteractCurve(const CurveSet &curves, const Hit &hit, const Ray &ray) {
+inline SurfaceInteraction CurveSurface(const CurveSet &curves, const Hit &hit, const Ray &ray) {
     const uint32_t first = curves.first[hit.primitive];
     const float u = std::clamp(hit.u, 0.f, 1.f);
     const CurveAt at(&curves.points[first], u);
@@ -39,7 +39,7 @@ inline SurfacePoint InteractCurve(const CurveSet &curves, const Hit &hit, const 
     const Vector3f side = UnitCross(tangent, ray.d);
     const float width = 2 * at.radius;
 
-    SurfacePoint s;
+    SurfaceInteraction s;
     s.p = ray(hit.t);
     const float v = width > 0 ? Dot(s.p - at.p, side) / width + 0.5f : 0.5f;
     s.uv = {u, std::clamp(v, 0.f, 1.f)};

@@ -1,16 +1,17 @@
 #pragma once
 
 #include "pbrt/shapes/rounding.h"
-#include "pbrt/shapes/surface_point.h"
+#include "pbrt/shapes/surface_interaction.h"
 
 namespace pbrt {
 
 /// A surface point of an instance's object, in rendering space. pError grows by the transform's
 /// rounding and by that of the way back, which a spawned ray's origin takes through Embree before
 /// it is tested against the object.
-inline SurfacePoint FromInstance(const Transform &renderFromObject, const SurfacePoint &s) {
+inline SurfaceInteraction FromInstance(const Transform &renderFromObject,
+                                       const SurfaceInteraction &s) {
     const Matrix4 &m = renderFromObject.Matrix();
-    SurfacePoint r = s;
+    SurfaceInteraction r = s;
     r.p = renderFromObject.Point(s.p);
     const Vector3f back = Gamma(5) * AbsPoint(renderFromObject.InverseMatrix(), r.p);
     r.pError = Gamma(5) * AbsPoint(m, s.p) + AbsVector(m, s.pError + back);

@@ -12,7 +12,7 @@ namespace pbrt {
 // sphere's radius near grazing).
 
 /// Object space from rendering space, inverted in double from the float matrix, so that a surface
-/// lies where Interact puts its points.
+/// lies where SurfaceAt puts its points.
 class ObjectFromRender {
   public:
     explicit ObjectFromRender(const Transform &renderFromObject);

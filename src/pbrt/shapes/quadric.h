@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "pbrt/shapes/rounding.h"
-#include "pbrt/shapes/surface_point.h"
+#include "pbrt/shapes/surface_interaction.h"
 #include "pbrt/shapes/types.h"
 #include "pbrt/util/atan2.h"
 
@@ -12,7 +12,7 @@ namespace pbrt {
 // Quadrics are intersected and placed in double precision (object space coordinates are never
 // rounded to float), so that the error of a hit is that of rounding its position once.
 
-// D: double or WideDouble (by reference: how 128 bytes are passed differs between compilers).
+// D: double or DoubleX16 (by reference: how 128 bytes are passed differs between compilers).
 
 /// o + t d in object space. M: Matrix4 or WideMatrix.
 template <typename M, typename T>
@@ -36,7 +36,7 @@ inline float Azimuth(float x, float y) {
 /// Position and normal from object space ones; n: outward, any length.
 template <bool kWithError, typename M, typename D, typename T>
 inline void PlaceQuadric(const M &renderFromObject, const M &objectFromRender, const Vec3<D> &p,
-                         const Vec3<T> &n, MaskFor<T> flipNormal, SurfacePointT<T> *s) {
+                         const Vec3<T> &n, MaskFor<T> flipNormal, SurfaceInteractionT<T> *s) {
     s->p = ToFloat(PointInDouble(renderFromObject, p));
     // Rounding of p and of the spawned origin; where large terms cancelled, of double as well.
     if constexpr (kWithError)
@@ -54,9 +54,9 @@ inline Vec3<D> OnSphere(const Vec3<D> &p, T radius) {
 
 /// Fills in what all quadrics share, from object space quantities; n: outward, any length.
 template <bool kWithError>
-inline SurfacePoint PlaceQuadric(const Transform &renderFromObject, Vector3d p, Normal3f n,
-                                 bool flipNormal, Vector3f dpdu, Vector3f dpdv, Point2f uv) {
-    SurfacePoint s;
+inline SurfaceInteraction PlaceQuadric(const Transform &renderFromObject, Vector3d p, Normal3f n,
+                                       bool flipNormal, Vector3f dpdu, Vector3f dpdv, Point2f uv) {
+    SurfaceInteraction s;
     PlaceQuadric<kWithError>(renderFromObject.Matrix(), renderFromObject.InverseMatrix(), p, n,
                              flipNormal, &s);
     s.dpdu = s.dpdus = renderFromObject.Vector(dpdu);
@@ -81,7 +81,7 @@ inline Point2f SphereUV(const Sphere &sphere, Vector3f p) {
 }
 
 template <bool kWithError>
-inline SurfacePoint InteractSphere(const Sphere &sphere, const Hit &hit, const Ray &ray) {
+inline SurfaceInteraction SphereSurface(const Sphere &sphere, const Hit &hit, const Ray &ray) {
     const Vector3d p = OnSphere(ObjectPoint(sphere.renderFromObject, hit, ray), sphere.radius);
     const Vector3f q = ToFloat(p);
     // At the poles dpdu vanishes; keep a direction.
@@ -95,7 +95,7 @@ inline SurfacePoint InteractSphere(const Sphere &sphere, const Hit &hit, const R
 }
 
 template <bool kWithError>
-inline SurfacePoint InteractDisk(const Disk &disk, const Hit &hit, const Ray &ray) {
+inline SurfaceInteraction DiskSurface(const Disk &disk, const Hit &hit, const Ray &ray) {
     Vector3d p = ObjectPoint(disk.renderFromObject, hit, ray);
     p.z = disk.height;
     const float x = float(p.x), y = float(p.y), width = disk.radius - disk.innerRadius;
@@ -108,7 +108,8 @@ inline SurfacePoint InteractDisk(const Disk &disk, const Hit &hit, const Ray &ra
 }
 
 template <bool kWithError>
-inline SurfacePoint InteractCylinder(const Cylinder &cylinder, const Hit &hit, const Ray &ray) {
+inline SurfaceInteraction CylinderSurface(const Cylinder &cylinder, const Hit &hit,
+                                          const Ray &ray) {
     Vector3d p = ObjectPoint(cylinder.renderFromObject, hit, ray);
     const double toSurface = cylinder.radius / std::sqrt(p.x * p.x + p.y * p.y);
     p.x *= toSurface;

@@ -14,7 +14,7 @@ namespace pbrt {
 /// by solid angle as in Urena, Fajardo, King 2013, with own closed forms: with c(x) = x /
 /// hypot(x, h) and b_j = c(y_j) the solid angle up to x is G(x) - G(x0), G = asin(c b1) -
 /// asin(c b0); its inverse is c = sin G / sqrt(b0^2 + b1^2 - 2 b0 b1 cos G).
-/// T: float or WideFloat.
+/// T: float or FloatX16.
 template <AnyFloat T>
 struct SeenRectangle {
     T x0, x1, y0, y1, h;
@@ -48,7 +48,7 @@ struct SeenRectangle {
 ///
 /// Directions are drawn by solid angle where the rectangle looks large (more than about 0.25 sr) or
 /// reaches from near to far, else by area: there the density per solid angle varies little, and
-/// costs a fourth. T: float, or WideFloat for sixteen rectangles.
+/// costs a fourth. T: float, or FloatX16 for sixteen rectangles.
 template <AnyFloat T>
 class RectangleT {
   public:
@@ -59,14 +59,14 @@ class RectangleT {
     };
 
     /// Sixteen rectangles, often all the same.
-    static RectangleT Of(const std::array<const RectangleT<float> *, kWide> &r) {
+    static RectangleT Of(const std::array<const RectangleT<float> *, kPacketSize> &r) {
         RectangleT wide;
         const bool same = std::equal(r.begin() + 1, r.end(), r.begin());
         wide.ForEachMember([&](auto &member, auto of) {
             if (same)
                 member = Broadcast16(of(*r[0]));
             else
-                for (int i = 0; i < kWide; ++i)
+                for (int i = 0; i < kPacketSize; ++i)
                     SetLane(&member, i, of(*r[size_t(i)]));
         });
         return wide;

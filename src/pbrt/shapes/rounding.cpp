@@ -10,9 +10,9 @@ CrossDirection CrossDirectionInDouble(Vector3f a, Vector3f b) {
     return {ToFloat(d * inverse), float(std::min(inverse, 1e30))};
 }
 
-CrossDirectionT<WideFloat> CrossDirectionInDouble(WideVector3f a, WideVector3f b) {
-    CrossDirectionT<WideFloat> c;
-    for (int i = 0; i < kWide; ++i) {
+CrossDirectionT<FloatX16> CrossDirectionInDouble(Vector3fX16 a, Vector3fX16 b) {
+    CrossDirectionT<FloatX16> c;
+    for (int i = 0; i < kPacketSize; ++i) {
         const CrossDirection lane = DirectionOfCross(Lane(a, i), Lane(b, i));
         SetLane(&c.n, i, lane.n);
         c.inverseLength[i] = lane.inverseLength;

@@ -12,14 +12,14 @@ using Vector3d = Vec3<double>;
 inline double ToDouble(float a) {
     return a;
 }
-inline WideDouble ToDouble(WideFloat a) {
-    return __builtin_convertvector(a, WideDouble);
+inline DoubleX16 ToDouble(FloatX16 a) {
+    return __builtin_convertvector(a, DoubleX16);
 }
 inline float ToFloat(double a) {
     return float(a);
 }
-inline WideFloat ToFloat(const WideDouble &a) {
-    return __builtin_convertvector(a, WideFloat);
+inline FloatX16 ToFloat(const DoubleX16 &a) {
+    return __builtin_convertvector(a, FloatX16);
 }
 template <typename T>
 inline auto ToDouble(const Vec3<T> &v) {
@@ -31,7 +31,7 @@ inline auto ToFloat(const Vec3<D> &v) {
 }
 
 /// The upper rows of sixteen matrices.
-using WideMatrix = std::array<std::array<WideFloat, 4>, 3>;
+using WideMatrix = std::array<std::array<FloatX16, 4>, 3>;
 
 // M: Matrix4 or WideMatrix.
 
@@ -71,7 +71,7 @@ using CrossDirection = CrossDirectionT<float>;
 /// Where float over- or underflows: through double, and (0, 0, 1), 0 for parallel vectors.
 [[gnu::cold]] CrossDirection CrossDirectionInDouble(Vector3f a, Vector3f b);
 
-[[gnu::cold]] CrossDirectionT<WideFloat> CrossDirectionInDouble(WideVector3f a, WideVector3f b);
+[[gnu::cold]] CrossDirectionT<FloatX16> CrossDirectionInDouble(Vector3fX16 a, Vector3fX16 b);
 
 /// Whether a squared length is neither over- nor underflowing.
 template <typename T>

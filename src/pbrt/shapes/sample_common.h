@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "pbrt/shapes/surface_point.h"
+#include "pbrt/shapes/surface_interaction.h"
 
 namespace pbrt {
 

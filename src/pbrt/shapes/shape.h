@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "pbrt/scene/description.h"
-#include "pbrt/shapes/interact.h"
-#include "pbrt/shapes/surface_point.h"
+#include "pbrt/shapes/surface.h"
+#include "pbrt/shapes/surface_interaction.h"
 #include "pbrt/shapes/types.h"
 
 namespace pbrt {
 
-// Interact and InteractLightly, called once per ray, are inline: interact.h.
+// SurfaceAt and SurfaceAtWithoutError, called once per ray, are inline: interact.h.
 
 /// Makes the shapes one directive describes: usually one; a PLY file with triangles and quads makes
 /// two. Empty after an error (which is in the log). Parameters that no one read are errors, but

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "pbrt/shapes/rounding.h"
-#include "pbrt/shapes/surface_point.h"
+#include "pbrt/shapes/surface_interaction.h"
 #include "pbrt/shapes/types.h"
 
 namespace pbrt {
@@ -9,7 +9,8 @@ namespace pbrt {
 /// Sets dpdu and dpdv from edges and the differences of uv along them; any tangent frame where uv
 /// are degenerate.
 template <typename T>
-inline void SetTangents(Vec3<T> e1, Vec3<T> e2, Vec2<T> duv1, Vec2<T> duv2, SurfacePointT<T> *s) {
+inline void SetTangents(Vec3<T> e1, Vec3<T> e2, Vec2<T> duv1, Vec2<T> duv2,
+                        SurfaceInteractionT<T> *s) {
     const T a = duv1.x * duv2.y, b = duv1.y * duv2.x, det = a - b;
     const T inv = 1 / det;
     s->dpdu = (duv2.y * e1 - duv1.y * e2) * inv;
@@ -36,7 +37,8 @@ inline V Interpolate(const Corners<T> &b, const Corners<V> &a) {
 
 /// Position and true normal, outside as the corners' order says.
 template <bool kWithError, typename T>
-inline void PlaceOnTriangle(const Corners<Vec3<T>> &p, const Corners<T> &b, SurfacePointT<T> *s) {
+inline void PlaceOnTriangle(const Corners<Vec3<T>> &p, const Corners<T> &b,
+                            SurfaceInteractionT<T> *s) {
     const Vec3<T> e1 = p.v1 - p.v0, e2 = p.v2 - p.v0;
     s->p = Interpolate(b, p);
     const CrossDirectionT<T> up = DirectionOfCross(e1, e2);
@@ -48,7 +50,7 @@ inline void PlaceOnTriangle(const Corners<Vec3<T>> &p, const Corners<T> &b, Surf
 }
 
 template <bool kWithError>
-inline SurfacePoint InteractTriangle(const TriangleMesh &mesh, const Hit &hit) {
+inline SurfaceInteraction TriangleSurface(const TriangleMesh &mesh, const Hit &hit) {
     const uint32_t *index = &mesh.indices[3 * size_t(hit.primitive)];
     const auto at = [&](const auto &values) {
         return Corners<std::decay_t<decltype(values[0])>>{values[index[0]], values[index[1]],
@@ -56,7 +58,7 @@ inline SurfacePoint InteractTriangle(const TriangleMesh &mesh, const Hit &hit) {
     };
     const Corners<Point3f> p = at(mesh.p);
     const Corners<float> b{1 - hit.u - hit.v, hit.u, hit.v};
-    SurfacePoint s;
+    SurfaceInteraction s;
     PlaceOnTriangle<kWithError>(p, b, &s);
     if (mesh.flipNormal) s.n = s.ns = -s.n;
     if (!mesh.n.empty()) {

@@ -119,7 +119,7 @@ std::optional<ImageLookup> CreateLookup(TextureBuilder &builder, bool wantsFloat
     static constexpr std::array<std::string_view, 5> kFilters{"point", "bilinear", "trilinear",
                                                               "ewa", "EWA"};
     static constexpr std::array<std::string_view, 3> kWraps{"repeat", "black", "clamp"};
-    static constexpr NumberRow kAnisotropy{
+    static constexpr FloatParam kAnisotropy{
         "maxanisotropy", "", 8, 1, 1000, "longest over shortest axis of an EWA ellipse"};
     ParamDict &params = builder.params;
     ImageLookup lookup;

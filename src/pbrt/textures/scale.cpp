@@ -49,7 +49,7 @@ FloatTexture ScaleTexture::CreateFloat(TextureBuilder &builder) {
 SpectrumByRole ScaleTexture::CreateSpectrum(TextureBuilder &builder) {
     SpectrumByRole texture = builder.Spectra("tex", 1);
     // Spectra do not go below 0, so neither may what scales them.
-    static constexpr NumberRow kScale{"scale", "", 1, 0, Infinity, "factor"};
+    static constexpr FloatParam kScale{"scale", "", 1, 0, Infinity, "factor"};
     const FloatTexture scale = GetFloatTexture(builder.params, builder.named, kScale);
     for (std::optional<SpectrumTexture> &t : texture)
         if (t) t = Scaled(*t, scale);

@@ -63,7 +63,7 @@ bool NamedTextures::AnyReadsUV(const ParsedParameters &params) const {
     });
 }
 
-FloatTexture GetFloatTexture(ParamDict &params, const NamedTextures &named, const NumberRow &row) {
+FloatTexture GetFloatTexture(ParamDict &params, const NamedTextures &named, const FloatParam &row) {
     std::optional<FloatTexture> texture =
         FindNamed(params, named, named.floats, row.name, true, FloatTexture(row.def));
     if (!texture) return params.GetOneFloat(row);

@@ -20,7 +20,7 @@ struct TextureFootprint {
     Vec3<T> dpdx, dpdy;
     T dudx{}, dudy{}, dvdx{}, dvdy{};
 };
-inline TextureFootprint<float> Lane(const TextureFootprint<WideFloat> &f, int i) {
+inline TextureFootprint<float> Lane(const TextureFootprint<FloatX16> &f, int i) {
     return {Lane(f.dpdx, i), Lane(f.dpdy, i), f.dudx[i], f.dudy[i], f.dvdx[i], f.dvdy[i]};
 }
 
@@ -106,13 +106,13 @@ struct NamedTextures {
 
 /// Builds every texture of the scene in file order (a texture may use earlier ones only).
 /// `renderFromWorld` maps texture space into the space of TextureEvalContext::p.
-NamedTextures BuildTextures(const Description &scene, const Transform &renderFromWorld,
+NamedTextures BuildTextures(const SceneDescription &scene, const Transform &renderFromWorld,
                             Diagnostics &log);
 std::span<const std::string_view> TextureClassNames();
 
 /// `"texture name"`, or `"float name"`, else the default. A constant outside [row.lo, row.hi] is an
 /// error; looked-up values are not checked here.
-FloatTexture GetFloatTexture(ParamDict &params, const NamedTextures &named, const NumberRow &row);
+FloatTexture GetFloatTexture(ParamDict &params, const NamedTextures &named, const FloatParam &row);
 /// Without range and with a plain default.
 FloatTexture GetFloatTexture(ParamDict &params, const NamedTextures &named, std::string_view name,
                              float def);

@@ -81,7 +81,7 @@ std::span<const std::string_view> TextureClassNames() {
     return kNames;
 }
 
-NamedTextures BuildTextures(const Description &scene, const Transform &renderFromWorld,
+NamedTextures BuildTextures(const SceneDescription &scene, const Transform &renderFromWorld,
                             Diagnostics &log) {
     NamedTextures named;
     TextureCosts costs;

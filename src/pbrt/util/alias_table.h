@@ -13,7 +13,7 @@ namespace pbrt {
 /// (Walker 1977; tables filled by Vose 1991). Immutable after construction.
 class AliasTable {
   public:
-    struct Sample {
+    struct IndexSample {
         int index;
         float pmf;  ///< probability of `index`
         float u;    ///< in [0, 1): what is left of the random number; about 24 - log2(n) bits
@@ -24,7 +24,7 @@ class AliasTable {
     explicit AliasTable(std::span<const float> weights);
 
     /// u in [0, 1). The table must not be empty. Never draws a thing of probability 0.
-    Sample Draw(float u) const {
+    IndexSample Sample(float u) const {
         DCHECK(!bins.empty());
         const float scaled = u * float(bins.size());
         const int slot = std::min(int(scaled), int(bins.size()) - 1);

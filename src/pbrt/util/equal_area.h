@@ -7,7 +7,7 @@ namespace pbrt {
 // Equal-area map between the unit square and the sphere (Clarberg 2008, "Fast Equal-Area Mapping of
 // the (Hemi)Sphere using SIMD"), laid out as pbrt-v4's environment pictures: the square's centre is
 // +z, its corners are -z, its edges' middles are +-x (horizontal) and +-y (vertical, +y at v = 1).
-// T: float or WideFloat.
+// T: float or FloatX16.
 
 /// Unit direction of p in [0, 1]^2; areas on the sphere are 4 pi times those in the square.
 template <AnyFloat T>

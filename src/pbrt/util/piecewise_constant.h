@@ -36,11 +36,11 @@ inline int FindStep(std::span<const float> cdf, float u) {
 }
 
 /// The same in cdfs of `size` steps that start at from[start].
-inline WideUint FindStep(const float *from, WideUint start, uint32_t size, WideFloat u) {
-    WideUint step{};
+inline UintX16 FindStep(const float *from, UintX16 start, uint32_t size, FloatX16 u) {
+    UintX16 step{};
     for (uint32_t stride = std::bit_floor(size); stride > 0; stride /= 2) {
         // Beyond the end lies the cdf's last value, 1: above u.
-        const WideUint next = Select(step + stride < size, step + stride, WideUint{} + size);
+        const UintX16 next = Select(step + stride < size, step + stride, UintX16{} + size);
         step = Select(Gather(from, start + next) <= u, next, step);
     }
     return step;
@@ -55,14 +55,14 @@ inline T PlaceInStep(T low, T high, T u) {
 inline float PlaceInStep(std::span<const float> cdf, int i, float u) {
     return PlaceInStep(cdf[size_t(i)], cdf[size_t(i) + 1], u);
 }
-inline WideFloat PlaceInStep(const float *from, WideUint at, WideFloat u) {
+inline FloatX16 PlaceInStep(const float *from, UintX16 at, FloatX16 u) {
     return PlaceInStep(Gather(from, at), Gather(from, at + 1), u);
 }
 
 inline int StepAt(float x, int n) {
     return std::clamp(int(x * float(n)), 0, n - 1);
 }
-inline WideUint StepAt(WideFloat x, int n) {
+inline UintX16 StepAt(FloatX16 x, int n) {
     return Truncate(Clamp(x * float(n), 0.f, float(n - 1)));
 }
 
@@ -77,7 +77,7 @@ inline float CdfAt(std::span<const float> cdf, float x) {
 /// Density on [0, 1] proportional to a step function. Immutable after construction.
 class PiecewiseConstant1D {
   public:
-    struct Sample {
+    struct PointSample {
         float x, pdf;
         int step;
     };
@@ -92,23 +92,23 @@ class PiecewiseConstant1D {
     }
 
     /// u in [0, 1); monotonic in u.
-    Sample Draw(float u) const {
+    PointSample Sample(float u) const {
         const int i = detail::FindStep(cdf, u);
         const float x = (float(i) + detail::PlaceInStep(cdf, i, u)) / float(Size());
         return {std::min(x, OneMinusEpsilon), density[size_t(i)], i};
     }
     /// Sixteen of Sample.
-    struct Samples {
-        WideFloat x;
-        WideUint step;
+    struct PointSampleX16 {
+        FloatX16 x;
+        UintX16 step;
     };
-    Samples Draw(WideFloat u) const {
-        const WideUint i = detail::FindStep(cdf.data(), WideUint{}, uint32_t(Size()), u);
-        const WideFloat x = (ToFloat(i) + detail::PlaceInStep(cdf.data(), i, u)) / float(Size());
+    PointSampleX16 Sample(FloatX16 u) const {
+        const UintX16 i = detail::FindStep(cdf.data(), UintX16{}, uint32_t(Size()), u);
+        const FloatX16 x = (ToFloat(i) + detail::PlaceInStep(cdf.data(), i, u)) / float(Size());
         return {Min(x, OneMinusEpsilon), i};
     }
     float PDF(float x) const { return density[size_t(detail::StepAt(x, Size()))]; }
-    /// The u that Draw turns into x.
+    /// The u that Sample turns into x.
     float Invert(float x) const { return detail::CdfAt(cdf, x); }
     /// Of the given function over [0, 1].
     float Integral() const { return integral; }
@@ -122,7 +122,7 @@ class PiecewiseConstant1D {
 /// Density on [0, 1]^2 proportional to a step function on a grid. Immutable after construction.
 class PiecewiseConstant2D {
   public:
-    struct Sample {
+    struct PointSample {
         Point2f p;
         float pdf;
         Point2i step;  ///< column and row
@@ -134,32 +134,32 @@ class PiecewiseConstant2D {
     PiecewiseConstant2D(std::span<const float> f, int nu, int nv);
 
     /// u in [0, 1)^2; u.y picks the row.
-    Sample Draw(Point2f u) const {
-        const PiecewiseConstant1D::Sample row = rows.Draw(u.y);
+    PointSample Sample(Point2f u) const {
+        const PiecewiseConstant1D::PointSample row = rows.Sample(u.y);
         const std::span<const float> cdf = RowCdf(row.step);
         const int i = detail::FindStep(cdf, u.x);
         const float x = (float(i) + detail::PlaceInStep(cdf, i, u.x)) / float(nu);
-        return {{std::min(x, OneMinusEpsilon), row.x}, Density(i, row.step), {i, row.step}};
+        return {{std::min(x, OneMinusEpsilon), row.x}, CellPDF(i, row.step), {i, row.step}};
     }
     /// Sixteen of Sample.
-    struct Samples {
-        WidePoint2f p;
-        WideFloat pdf;
-        WideUint column, row;
+    struct PointSampleX16 {
+        Point2fX16 p;
+        FloatX16 pdf;
+        UintX16 column, row;
     };
-    Samples Draw(WidePoint2f u) const {
-        const PiecewiseConstant1D::Samples row = rows.Draw(u.y);
-        const WideUint start = row.step * uint32_t(nu + 1);
-        const WideUint i = detail::FindStep(cdfs.data(), start, uint32_t(nu), u.x);
-        const WideFloat x =
+    PointSampleX16 Sample(Point2fX16 u) const {
+        const PiecewiseConstant1D::PointSampleX16 row = rows.Sample(u.y);
+        const UintX16 start = row.step * uint32_t(nu + 1);
+        const UintX16 i = detail::FindStep(cdfs.data(), start, uint32_t(nu), u.x);
+        const FloatX16 x =
             (ToFloat(i) + detail::PlaceInStep(cdfs.data(), start + i, u.x)) / float(nu);
-        return {{Min(x, OneMinusEpsilon), row.x}, Density(i, row.step), i, row.step};
+        return {{Min(x, OneMinusEpsilon), row.x}, CellPDF(i, row.step), i, row.step};
     }
-    WideFloat PDF(WidePoint2f p) const {
-        return Density(detail::StepAt(p.x, nu), detail::StepAt(p.y, nv));
+    FloatX16 PDF(Point2fX16 p) const {
+        return CellPDF(detail::StepAt(p.x, nu), detail::StepAt(p.y, nv));
     }
-    float PDF(Point2f p) const { return Density(detail::StepAt(p.x, nu), detail::StepAt(p.y, nv)); }
-    /// The u that Draw turns into p.
+    float PDF(Point2f p) const { return CellPDF(detail::StepAt(p.x, nu), detail::StepAt(p.y, nv)); }
+    /// The u that Sample turns into p.
     Point2f Invert(Point2f p) const {
         return {detail::CdfAt(RowCdf(detail::StepAt(p.y, nv)), p.x), rows.Invert(p.y)};
     }
@@ -171,10 +171,10 @@ class PiecewiseConstant2D {
     std::span<const float> RowCdf(int row) const {
         return std::span(cdfs).subspan(size_t(row) * size_t(nu + 1), size_t(nu + 1));
     }
-    float Density(int column, int row) const {
+    float CellPDF(int column, int row) const {
         return density[size_t(row) * size_t(nu) + size_t(column)];
     }
-    WideFloat Density(WideUint column, WideUint row) const {
+    FloatX16 CellPDF(UintX16 column, UintX16 row) const {
         return Gather(density.data(), row * uint32_t(nu) + column);
     }
 

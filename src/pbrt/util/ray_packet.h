@@ -6,9 +6,9 @@ namespace pbrt {
 
 /// Sixteen rays side by side. What lanes hold that are not asked for does not matter.
 struct alignas(64) RayPacket {
-    WidePoint3f o;
-    WideVector3f d;
-    WideFloat tMax, time;
+    Point3fX16 o;
+    Vector3fX16 d;
+    FloatX16 tMax, time;
 
     Ray At(int lane) const { return {Lane(o, lane), Lane(d, lane), tMax[lane], time[lane]}; }
     void Set(int lane, const Ray &ray) {

@@ -8,7 +8,7 @@
 namespace pbrt {
 
 // Warps of uniform numbers u in [0, 1) and their densities. Directions are about +z, densities per
-// unit solid angle, area or length; each Invert undoes its Sample. T: float or WideFloat.
+// unit solid angle, area or length; each Invert undoes its Sample. T: float or FloatX16.
 
 /// Index drawn with probability proportional to `weights` (none negative, not all 0), its
 /// probability, and what is left of u. For a handful of weights; many: AliasTable.

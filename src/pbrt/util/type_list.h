@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string_view>
+#include <utility>
 #include <variant>
 
 namespace pbrt {
@@ -17,6 +19,29 @@ struct TypeList {
     static bool Visit(std::string_view name, F &&visit) {
         return ((name == Ts::kName && (visit.template operator()<Ts>(), true)) || ...);
     }
+    /// Calls visit.template operator()<T>() for every type, in order.
+    template <typename F>
+    static void ForEach(F &&visit) {
+        (visit.template operator()<Ts>(), ...);
+    }
 };
+
+namespace detail {
+template <size_t i, typename V, typename F>
+decltype(auto) DispatchFrom(V &variant, F &f) {
+    if constexpr (i + 1 == std::variant_size_v<std::remove_const_t<V>>)
+        return f(*std::get_if<i>(&variant));
+    else
+        return variant.index() == i ? f(*std::get_if<i>(&variant))
+                                    : DispatchFrom<i + 1>(variant, f);
+}
+}  // namespace detail
+
+/// f(what the variant holds): the one way to call a member of a family's types. As std::visit, but
+/// inlined where it is called; all f must return the same type.
+template <typename V, typename F>
+decltype(auto) Dispatch(V &variant, F &&f) {
+    return detail::DispatchFrom<0>(variant, f);
+}
 
 }  // namespace pbrt

@@ -1,0 +1,215 @@
+#include "pbrt/accel/world_sphere.h"
+
+#include "pbrt/shapes/rounding.h"
+
+namespace pbrt {
+
+namespace {
+
+/// Largest cosine that counts as a right angle's: Rotate's is 6e-17, for pi is rounded. It moves
+/// points along the normal by 2e-15 of the radius at most, where PlaceQuadric grants 4e-15.
+constexpr float kRightAngle = 1e-15f;
+
+/// True if an axis of the map lies along one of space, as long as `scale`.
+bool IsStraight(Vector3f axis, float scale) {
+    const Vector3f a = Abs(axis);
+    int along = 0, across = 0;
+    for (int i = 0; i < 3; ++i) {
+        along += a[i] == scale;
+        across += a[i] <= kRightAngle * scale;
+    }
+    return along == 1 && across == 2;
+}
+
+}  // namespace
+
+std::optional<WorldSphere> WorldSphere::Of(const Shape &shape) {
+    const auto *const sphere = std::get_if<Sphere>(&shape);
+    if (!sphere || !sphere->IsFull()) return {};
+    const Matrix4 &m = sphere->renderFromObject.Matrix();
+    const float scale = MaxComponent(Abs(Vector3f{m[0][0], m[0][1], m[0][2]}));
+    for (int i = 0; i < 3; ++i)
+        for (const Vector3f &axis :
+             {Vector3f{m[i][0], m[i][1], m[i][2]}, Vector3f{m[0][i], m[1][i], m[2][i]}})
+            if (!IsStraight(axis, scale)) return {};
+    return WorldSphere{{m[0][3], m[1][3], m[2][3]}, double(scale) * double(sphere->radius)};
+}
+
+namespace {
+
+// Eight numbers in double, and the functions of wide.h for them and for one.
+using Double8 = double __attribute__((vector_size(64)));
+using Long8 = int64_t __attribute__((vector_size(64)));
+using Float8 = float __attribute__((vector_size(32)));
+using Int8 = int32_t __attribute__((vector_size(32)));
+
+double Choose(bool condition, double a, double b) {
+    return condition ? a : b;
+}
+double Root(double a) {
+    return std::sqrt(a);
+}
+bool None(bool hit) {
+    return !hit;
+}
+Double8 Choose(Long8 mask, Double8 a, Double8 b) {
+    return mask ? a : b;
+}
+Double8 Root(Double8 a) {
+    for (int i = 0; i < 8; ++i)  // one instruction
+        a[i] = std::sqrt(a[i]);
+    return a;
+}
+bool None(Long8) {
+    return false;
+}
+
+/// Whether and where a ray meets a ball first in (0, tMax]; t has no meaning elsewhere.
+template <typename T, typename Mask>
+struct SphereHit {
+    Mask hit;
+    T t;
+};
+
+/// For T one double or eight; o: from the ball's center. As CrossRadius in shapes/intersect.cpp,
+/// but of the two roots only the wanted one is computed.
+template <typename T>
+inline auto Intersect(T radius, Vec3<T> o, Vec3<T> d, T tMax) {
+    const T r2 = radius * radius;
+    const T a = Dot(d, d), b = -Dot(o, d), c = Dot(o, o) - r2;
+    const T discriminant = r2 * a - LengthSquared(Cross(o, d));
+    auto hit = (discriminant >= 0) & ((c <= 0) | (b > 0));
+    using Mask = decltype(hit);
+    if (None(hit)) return SphereHit<T, Mask>{hit, T{}};
+    const T root = Root(discriminant);
+    // By comparison, not by its sign bit: from the center b may be -0.
+    const T q = b + Choose(b < 0, -root, root);
+    const auto entering = (c > 0) | (b < 0);
+    const T t = Choose(entering, c, q) / Choose(entering, q, a);
+    hit = hit & (t > 0) & (t <= tMax);
+    return SphereHit<T, Mask>{hit, t};
+}
+
+/// Of any packet width.
+bool MeetsRay(const WorldSphere &ball, RTCRayN *r, unsigned n, unsigned i, double *t) {
+    const Vector3d center = ToDouble(ball.center);
+    const Vector3d o{RTCRayN_org_x(r, n, i), RTCRayN_org_y(r, n, i), RTCRayN_org_z(r, n, i)};
+    const Vector3d d{RTCRayN_dir_x(r, n, i), RTCRayN_dir_y(r, n, i), RTCRayN_dir_z(r, n, i)};
+    const auto met = Intersect<double>(ball.radius, o - center, d, RTCRayN_tfar(r, n, i));
+    *t = met.t;
+    return met.hit;
+}
+
+/// Lanes that a test in float cannot rule out: its terms are off by less than 16 roundings of
+/// |o|^2 |d|^2, and twice that is granted.
+LaneBits MayMeet(const WorldSphere &ball, const RTCRay16 &r) {
+    const Vector3fX16 d{LoadWide(r.dir_x), LoadWide(r.dir_y), LoadWide(r.dir_z)};
+    const Vector3fX16 o{LoadWide(r.org_x) - ball.center.x, LoadWide(r.org_y) - ball.center.y,
+                        LoadWide(r.org_z) - ball.center.z};
+    const FloatX16 b = -Dot(o, d);
+    const FloatX16 outside =
+        Dot(o, o) * (1 - 2e-6f) - float(ball.radius * ball.radius) * (1 + 1e-6f);
+    const MaskX16 misses = (b * b < Dot(d, d) * outside) | ((b < 0) & (outside > 0));
+    return ~BitsOf(misses);
+}
+
+/// Lanes of a packet and where they meet the ball.
+struct SphereHitX16 {
+    MaskX16 hit;
+    FloatX16 t;
+};
+
+template <int kHalf>
+Double8 Half(const float *from) {
+    Float8 v;
+    __builtin_memcpy(&v, from + 8 * kHalf, sizeof v);
+    return __builtin_convertvector(v, Double8);
+}
+
+template <int kHalf>
+void IntersectHalf(const WorldSphere &ball, const RTCRay16 &r, SphereHitX16 *met) {
+    const Vec3<Double8> o{Half<kHalf>(r.org_x) - double(ball.center.x),
+                          Half<kHalf>(r.org_y) - double(ball.center.y),
+                          Half<kHalf>(r.org_z) - double(ball.center.z)};
+    const Vec3<Double8> d{Half<kHalf>(r.dir_x), Half<kHalf>(r.dir_y), Half<kHalf>(r.dir_z)};
+    const auto m = Intersect<Double8>(Double8{} + ball.radius, o, d, Half<kHalf>(r.tfar));
+    const Int8 hit = __builtin_convertvector(m.hit, Int8);
+    const Float8 t = __builtin_convertvector(m.t, Float8);
+    __builtin_memcpy(reinterpret_cast<char *>(&met->hit) + 32 * kHalf, &hit, sizeof hit);
+    __builtin_memcpy(reinterpret_cast<char *>(&met->t) + 32 * kHalf, &t, sizeof t);
+}
+
+SphereHitX16 IntersectPacket(const WorldSphere &ball, const RTCRay16 &r, LaneBits lanes) {
+    SphereHitX16 met{};
+    if (lanes & 0xff) IntersectHalf<0>(ball, r, &met);
+    if (lanes & 0xff00) IntersectHalf<1>(ball, r, &met);
+    met.hit &= MaskOf(lanes);
+    return met;
+}
+
+LaneBits ValidLanes(const int *valid) {
+    IntX16 v;
+    __builtin_memcpy(&v, valid, sizeof v);
+    return BitsOf(v);
+}
+
+/// Calls one(lane, t) for each ray that meets the ball, or many(met) for all of a packet.
+template <typename One, typename Many>
+void ForEachThatMeets(const WorldSphere &ball, const int *valid, RTCRayN *rays, unsigned n, One one,
+                      Many many) {
+    const auto tryOne = [&](unsigned i) {
+        double t;
+        if (MeetsRay(ball, rays, n, i, &t)) one(i, float(t));
+    };
+    if (n != kPacketSize) {
+        for (unsigned i = 0; i < n; ++i)
+            if (valid[i] != 0) tryOne(i);
+        return;
+    }
+    const auto &packet = *reinterpret_cast<const RTCRay16 *>(rays);
+    LaneBits lanes = ValidLanes(valid);
+    if (std::has_single_bit(lanes)) return tryOne(unsigned(std::countr_zero(lanes)));
+    lanes &= MayMeet(ball, packet);
+    if (std::popcount(lanes) <= 2) return ForEachLane(lanes, [&](int i) { tryOne(unsigned(i)); });
+    many(IntersectPacket(ball, packet, lanes));
+}
+
+}  // namespace
+
+void IntersectBall(const WorldSphere &ball, uint32_t localId,
+                   const RTCIntersectFunctionNArguments *args) {
+    const unsigned n = args->N, instance = args->context->instID[0];
+    RTCRayN *const rays = RTCRayHitN_RayN(args->rayhit, n);
+    RTCHitN *const hits = RTCRayHitN_HitN(args->rayhit, n);
+    const auto one = [&](unsigned i, float t) {
+        RTCRayN_tfar(rays, n, i) = t;
+        RTCHitN_u(hits, n, i) = RTCHitN_v(hits, n, i) = 0;
+        RTCHitN_primID(hits, n, i) = 0;
+        RTCHitN_geomID(hits, n, i) = localId;
+        RTCHitN_instID(hits, n, i, 0) = instance;
+    };
+    const auto many = [&](const SphereHitX16 &met) {
+        auto &packet = *reinterpret_cast<RTCRayHit16 *>(args->rayhit);
+        const auto set = [&](auto value, auto *to) {
+            StoreWide(met.hit ? value : LoadWide(to), to);
+        };
+        set(met.t, packet.ray.tfar);
+        set(FloatX16{}, packet.hit.u);
+        set(FloatX16{}, packet.hit.v);
+        set(UintX16{}, packet.hit.primID);
+        set(UintX16{} + localId, packet.hit.geomID);
+        set(UintX16{} + instance, packet.hit.instID[0]);
+    };
+    ForEachThatMeets(ball, args->valid, rays, n, one, many);
+}
+
+void OccludedBall(const WorldSphere &ball, const RTCOccludedFunctionNArguments *args) {
+    const auto one = [&](unsigned i, float) { RTCRayN_tfar(args->ray, args->N, i) = -Infinity; };
+    const auto many = [&](const SphereHitX16 &met) {
+        float *const tfar = reinterpret_cast<RTCRay16 *>(args->ray)->tfar;
+        StoreWide(Select(met.hit, -Infinity, LoadWide(tfar)), tfar);
+    };
+    ForEachThatMeets(ball, args->valid, args->ray, args->N, one, many);
+}
+
+}  // namespace pbrt

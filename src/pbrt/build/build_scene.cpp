@@ -1,0 +1,154 @@
+#include "pbrt/build/build_scene.h"
+
+#include <fmt/format.h>
+
+#include "pbrt/build/build_shapes.h"
+#include "pbrt/build/instance_range.h"
+
+namespace pbrt {
+namespace {
+
+ParamDict Params(const Entity &entity, std::string_view kind, std::string_view type,
+                 const SceneDescription &description, Diagnostics &log) {
+    return ParamDict(entity.params, entity.loc, fmt::format("{} \"{}\"", kind, type),
+                     entity.colorSpace, &log, description.dir);
+}
+
+constexpr std::array<std::string_view, 2> kIntegrators{"volpath", "path"};
+constexpr std::array<std::string_view, 1> kAccelerators{"bvh"};
+constexpr std::array<std::string_view, 4> kSplitMethods{"sah", "middle", "equal", "hlbvh"};
+
+struct IntegratorChoice {
+    PathSettings path;
+    std::string lightSampler = "bvh";
+};
+
+IntegratorChoice ReadIntegrator(const SceneDescription &description, Diagnostics &log) {
+    IntegratorChoice choice;
+    const std::string type =
+        description.integrator.type.empty() ? "volpath" : description.integrator.type;
+    ParamDict params = Params(description.integrator, "integrator", type, description, log);
+    if (std::find(kIntegrators.begin(), kIntegrators.end(), type) == kIntegrators.end()) {
+        params.Error(UnknownName("integrator", type, kIntegrators));
+        return choice;
+    }
+    choice.path.maxDepth = params.GetOneInt("maxdepth", 5, 0, 1 << 20);
+    choice.path.regularize = params.GetOneBool("regularize", false);
+    const int which = params.GetOneChoice("lightsampler", "bvh", kLightSamplerNames);
+    choice.lightSampler = kLightSamplerNames[which];
+    params.ReportUnused();
+    return choice;
+}
+
+/// Embree chooses for itself: pbrt's hints are checked and have no effect.
+void ReadAccelerator(const SceneDescription &description, Diagnostics &log) {
+    if (description.accelerator.type.empty()) return;
+    ParamDict params = Params(description.accelerator, "accelerator", description.accelerator.type,
+                              description, log);
+    if (description.accelerator.type != kAccelerators[0]) {
+        params.Error(UnknownName("accelerator", description.accelerator.type, kAccelerators));
+        return;
+    }
+    params.GetOneChoice("splitmethod", "sah", kSplitMethods);
+    params.GetOneInt("maxnodeprims", 4, 1, 255);
+    params.ReportUnused();
+}
+
+void ReadSampling(const SceneDescription &description, const Overrides &overrides,
+                  RenderScene &scene, Diagnostics &log) {
+    const std::string filterType =
+        description.filter.type.empty() ? "gaussian" : description.filter.type;
+    ParamDict filterParams = Params(description.filter, "filter", filterType, description, log);
+    if (const auto filter = CreateFilter(filterParams, filterType)) scene.filter = *filter;
+
+    const std::string type = description.sampler.type.empty() ? "zsobol" : description.sampler.type;
+    ParamDict params = Params(description.sampler, "sampler", type, description, log);
+    std::optional<int> spp = overrides.spp;
+    if (!spp && overrides.film.quick && type != "independent") spp = 1;
+    if (const auto sampler =
+            CreateSampler(params, type, spp, description.options.seed, scene.film.FullResolution()))
+        scene.sampler = *sampler;
+    scene.targetError = overrides.targetError;
+}
+
+/// Two triangles that make a parallelogram, as one patch: one light is chosen and sampled better
+/// than two. Not where `power` is given, which is each triangle's (PBRT_FORMAT 2.10).
+std::optional<Shape> MergedEmitter(const Geometry &geometry, ParamDict &params) {
+    const auto *mesh = std::get_if<TriangleMesh>(&geometry.shape);
+    if (!mesh || params.Has("power") || !geometry.alpha.IsConstant()) return {};
+    return AsParallelogram(*mesh);
+}
+
+void BuildLights(const SceneDescription &description, const std::string &lightSampler,
+                 const std::vector<EmissiveShape> &emitters, RenderScene &scene, Diagnostics &log) {
+    const Transform &renderFromWorld = scene.camera.RenderFromWorld();
+    for (const LightEntity &entity : description.lights) {
+        ParamDict params = Params(entity, "light", entity.type, description, log);
+        if (auto light = CreateLight(entity.type, params, renderFromWorld * entity.worldFromLight))
+            scene.lights.push_back(std::move(*light));
+    }
+    for (const EmissiveShape &emitter : emitters) {
+        Geometry &geometry = scene.geometries[emitter.geometry];
+        ParamDict params =
+            Params(*emitter.areaLight, "area light", emitter.areaLight->type, description, log);
+        const std::optional<Shape> merged = MergedEmitter(geometry, params);
+        if (merged) scene.emitterShapes.push_back(*merged);
+        geometry.sharedLight = merged.has_value();
+        std::vector<Light> made =
+            CreateAreaLights(emitter.areaLight->type, params,
+                             merged ? scene.emitterShapes.back() : geometry.shape, geometry.alpha);
+        if (made.empty()) continue;
+        // Alpha 0 everywhere: a light that is sampled but never seen.
+        geometry.firstLight = int(scene.lights.size());
+        std::move(made.begin(), made.end(), std::back_inserter(scene.lights));
+    }
+    Bounds3f bounds = scene.accel->WorldBounds();
+    if (bounds.Empty()) bounds = {{-1, -1, -1}, {1, 1, 1}};
+    for (size_t i = 0; i < scene.lights.size(); ++i) {
+        Preprocess(scene.lights[i], bounds);
+        if (IsInfinite(scene.lights[i])) scene.infiniteLights.push_back(int(i));
+    }
+    scene.lightSampler = LightSampler::Create(lightSampler, scene.lights);
+    if (scene.lights.empty() && !log.HasErrors())
+        log.Warning({}, "no light sources in the scene: the picture is black");
+}
+
+}  // namespace
+
+std::unique_ptr<RenderScene> BuildScene(SceneDescription &description, const Overrides &overrides,
+                                        Diagnostics &log) {
+    auto scene = std::make_unique<RenderScene>();
+    scene->options = description.options;
+    scene->film = Film::Create(description, overrides.film, log);
+    scene->camera = Camera::Create(description, scene->film.FullResolution(), log);
+    scene->film.SetSpaces(scene->camera.RenderFromCamera().Inverse(),
+                          scene->camera.RenderFromWorld().Inverse());
+    scene->film.SetExposure(scene->camera.ShutterClose() - scene->camera.ShutterOpen());
+    ReadSampling(description, overrides, *scene, log);
+    const IntegratorChoice integrator = ReadIntegrator(description, log);
+    scene->path = integrator.path;
+    ReadAccelerator(description, log);
+
+    const NamedTextures textures = BuildTextures(description, scene->camera.RenderFromWorld(), log);
+    scene->filtersTextures =
+        textures.readFootprints && !description.options.disableTextureFiltering;
+    MaterialTable materials = BuildMaterials(description, textures, *scene, log);
+    for (const Material &m : scene->materials)
+        scene->uniform.push_back(IsUniform(m));
+    const BuiltShapes shapes = BuildShapes(description, textures, materials, *scene, log);
+    if (log.HasErrors()) return nullptr;
+
+    const uint32_t nTop = scene->TopLevelGeometries();
+    scene->accel.emplace(scene->geometries, nTop, scene->objects, scene->instances,
+                         overrides.nThreads);
+    if (!scene->accel->Error().empty()) {
+        log.Error({}, scene->accel->Error());
+        return nullptr;
+    }
+    BuildLights(description, integrator.lightSampler, shapes.emitters, *scene, log);
+    CheckRaysInInstances(*scene, shapes.instances, log);
+    if (log.HasErrors()) return nullptr;
+    return scene;
+}
+
+}  // namespace pbrt

@@ -1,0 +1,41 @@
+#include "pbrt/build/null_transmission.h"
+
+namespace pbrt {
+namespace {
+
+template <typename M>
+float NullTransmissionAt(const RenderScene &scene, const M &material, bool uniform,
+                         const SurfaceInteraction &sp, Vector3f d) {
+    if constexpr (HasNullTransmissionV<M>) {
+        const TextureEvalContext ctx = uniform ? TextureEvalContext{} : scene.TextureContext(sp);
+        const Frame frame = material.TurnFrame(sp.ShadingFrame(), ctx);
+        return material.NullTransmission(ctx, frame.ToLocal(Normalize(-d)));
+    } else {
+        return 0;
+    }
+}
+
+/// Of a mix: what is expected of its choice.
+float NullTransmissionAt(const RenderScene &scene, MaterialId id, const SurfaceInteraction &sp,
+                         Vector3f d) {
+    const MixMaterial *const mix = scene.AsMix(id);
+    if (!mix) {
+        return std::visit(
+            [&](const auto &m) { return NullTransmissionAt(scene, m, scene.uniform[id], sp, d); },
+            scene.materials[id]);
+    }
+    const float share = mix->amount.Evaluate(scene.TextureContext(sp));
+    float gap = 0;
+    if (share < 1) gap += (1 - share) * NullTransmissionAt(scene, mix->materials[0], sp, d);
+    if (share > 0) gap += share * NullTransmissionAt(scene, mix->materials[1], sp, d);
+    return gap;
+}
+
+}  // namespace
+
+float NullTransmissionOf::operator()(const Hit &hit, const Ray &ray) const {
+    const SurfaceInteraction sp = scene.SurfaceAtWithoutError(hit, ray);
+    return NullTransmissionAt(scene, scene.geometries[hit.geometry].material, sp, ray.d);
+}
+
+}  // namespace pbrt

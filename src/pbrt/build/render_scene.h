@@ -1,0 +1,92 @@
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "pbrt/accel/accel.h"
+#include "pbrt/cameras/camera.h"
+#include "pbrt/films/film.h"
+#include "pbrt/filters/filters.h"
+#include "pbrt/lights/light_sampler.h"
+#include "pbrt/lights/lights.h"
+#include "pbrt/materials/material.h"
+#include "pbrt/materials/mix.h"
+#include "pbrt/samplers/samplers.h"
+
+namespace pbrt {
+
+/// Which of the two ways to find light a path uses. Both together is what renders; one alone is for
+/// tests and measurements: all three have the same mean (but for lights that one cannot find).
+enum class LightStrategy { Both, LightsOnly, BSDFOnly };
+
+struct PathSettings {
+    int maxDepth = 5;
+    bool regularize = false;
+    LightStrategy strategy = LightStrategy::Both;
+};
+
+/// Everything a render reads, ready and immutable. Made by BuildScene. Moving a RenderScene keeps
+/// its inner pointers valid; it cannot be copied.
+struct RenderScene {
+    std::vector<Geometry> geometries;
+    std::vector<ObjectRange> objects;
+    std::vector<Instance> instances;
+    std::vector<Material> materials;
+    std::vector<MixMaterial> mixes;  ///< their ids start at kFirstMix
+    std::vector<Light> lights;
+    std::deque<Shape> emitterShapes;  ///< of lights whose form is not a geometry's
+    std::vector<int> infiniteLights;  ///< indices into lights
+    LightSampler lightSampler;
+    std::optional<Accel> accel;
+
+    Camera camera;
+    Film film;
+    Filter filter;
+    Sampler sampler;
+    PathSettings path;
+    float targetError = 0;  ///< see RenderToError; 0: all samples everywhere
+    Options options;
+    bool filtersTextures = false;  ///< some texture reads the steps per pixel
+    bool isAnimated = false;       ///< time matters
+    std::vector<bool> uniform;     ///< by material: see IsUniform
+
+    /// Index of the light that a hit on an emissive geometry belongs to.
+    static int LightOf(const Geometry &geometry, uint32_t primitive) {
+        return geometry.firstLight + (geometry.sharedLight ? 0 : int(primitive));
+    }
+    /// The hit's surface in rendering space.
+    SurfaceInteraction SurfaceAt(const Hit &hit, const Ray &ray) const;
+    /// SurfaceAt for the given lanes; the others are undefined. kWithTangents: with derivatives, uv
+    /// and faceIndex.
+    template <bool kWithTangents>
+    SurfaceInteractionX16 SurfaceAt(const HitPacket &hits, const RayPacket &rays,
+                                    LaneBits lanes) const;
+    /// Point and frames only; see pbrt::SurfaceAtWithoutError.
+    SurfaceInteraction SurfaceAtWithoutError(const Hit &hit, const Ray &ray) const;
+    TextureEvalContext TextureContext(const SurfaceInteraction &sp) const;
+    /// TextureContext for the given lanes.
+    void TextureContexts(const SurfaceInteractionX16 &sp, LaneBits lanes,
+                         std::array<TextureEvalContext, kPacketSize> *contexts) const;
+
+    const MixMaterial *AsMix(MaterialId id) const {
+        return id >= kFirstMix ? &mixes[id - kFirstMix] : nullptr;
+    }
+    /// The material that a ray of direction d meets, where `id` is a mix.
+    MaterialId MaterialMet(MaterialId id, const SurfaceInteraction &sp, Vector3f d) const {
+        while (const MixMaterial *mix = AsMix(id))
+            [[unlikely]] id = mix->Choose(TextureContext(sp), d, id);
+        return id;
+    }
+    /// Geometries below this stand in the scene as they are; the others only in instances.
+    uint32_t TopLevelGeometries() const;
+    /// True if light passes straight through; false for materials that could not be made, and for
+    /// all where Option "forcediffuse" makes them matt.
+    bool HasNullTransmission(MaterialId id) const;
+
+  private:
+    template <typename T>
+    TextureFootprint<T> FootprintAt(const SurfaceInteractionT<T> &sp) const;
+};
+
+}  // namespace pbrt

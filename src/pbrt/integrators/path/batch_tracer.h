@@ -1,0 +1,249 @@
+#pragma once
+
+#include "pbrt/build/null_transmission.h"
+#include "pbrt/build/visible_surface.h"
+#include "pbrt/integrators/path/path_batch.h"
+#include "pbrt/integrators/path/surface_vertices.h"
+
+namespace pbrt {
+
+/// Traces a batch of paths side by side, one vertex of each at a time: rays go through Embree in
+/// packets, and what a packet's sixteen paths do alike is done at once. Every path's result depends
+/// on nothing but its pixel and sample number, and, in its roundings, on the paths that share its
+/// packets: which these are depends on the scene and the picture's bounds, not on threads. Large
+/// (two megabytes): one a thread, on the heap.
+template <typename SamplerT, typename Scattering = DefaultScattering>
+class BatchTracer {
+  public:
+    BatchTracer(const RenderScene &scene, const SamplerT &sampler)
+        : scene(scene), sampler(sampler), choosesLights(!scene.lightSampler.OnlyLight()) {
+        for (PathQueue &queue : paths.queues)
+            queue.KeepNormals(scene.lightSampler.ReadsNormals());
+        for (const Geometry &g : scene.geometries) {
+            materialOf.push_back(uint32_t(g.material));
+            kindOf.push_back(scene.AsMix(g.material) ? kMix : MaterialGroup(uint32_t(g.material)));
+        }
+    }
+
+    /// Adds the samples to the pixels' sums; batch.Size() <= kBatchSize.
+    void Trace(const SampleBatch &what, std::span<Film::Pixel> sums, RayCounts &counts) {
+        DCHECK(what.Size() <= kBatchSize);
+        batch = what;
+        rays = &counts;
+        sampler.StartBatch(batch.pixels);
+        StartPaths();
+        for (int dimension = kFirstVertexDimension; paths.queue->Size() > 0;
+             dimension += VertexNumbers::kDimensions)
+            TraceBounce(dimension);
+        AddToFilm(sums);
+    }
+
+  private:
+    static constexpr size_t kTypes = std::variant_size_v<Material>;
+    static constexpr uint32_t kMix = ~0u;  ///< the kind of no path
+    // Dimensions of the camera's numbers.
+    static constexpr int kWavelength = 0, kFilm = 1, kTime = 2, kLens = 3,
+                         kFirstVertexDimension = 4;
+
+    void StartPaths() {
+        uint32_t slot = 0;
+        for (uint32_t pixel = 0; pixel < batch.pixels.size(); ++pixel)
+            for (int k = batch.firstSample; k < batch.lastSample; ++k, ++slot)
+                paths.pixel[slot] = pixel, paths.sample[slot] = uint32_t(k);
+        // The last packet draws for lanes that do not count.
+        std::fill_n(&paths.pixel[slot], kPacketSize, 0u);
+        paths.queue->Clear();
+        for (uint32_t first = 0; first < slot; first += kPacketSize)
+            StartPaths(first, int(std::min(uint32_t(kPacketSize), slot - first)));
+    }
+    void StartPaths(uint32_t first, int count) {
+        const UintX16 pixel = LoadWide(&paths.pixel[first]), k = LoadWide(&paths.sample[first]);
+        const bool jitters = !scene.options.disablePixelJitter;
+        const FloatX16 half = Broadcast16(0.5f);
+        const FloatX16 uLambda =
+            scene.options.disableWavelengthJitter ? half : sampler.Get1D(kWavelength, pixel, k);
+        const Point2fX16 uFilm = sampler.Get2D(kFilm, pixel, k);
+        FloatX16 time{};
+        if (scene.isAnimated) time = jitters ? sampler.Get1D(kTime, pixel, k) : half;
+        Point2fX16 uLens{half, half};
+        if (scene.camera.HasLens() && jitters) uLens = sampler.Get2D(kLens, pixel, k);
+        Point2fX16 film;
+        for (int i = 0; i < kPacketSize; ++i) {
+            const FilterSample f =
+                jitters ? Sample(scene.filter, Lane(uFilm, i)) : FilterSample{{}, 1};
+            const Point2i at = batch.pixels[pixel[i]];
+            filterWeight[first + uint32_t(i)] = f.weight;
+            SetLane(&film, i, {at.x + 0.5f + f.p.x, at.y + 0.5f + f.p.y});
+        }
+        const RayPacket packet = scene.camera.GenerateRays(film, uLens, time);
+        PathPacket path{};
+        path.slot = kLaneNumbers + first;
+        path.o = packet.o, path.d = packet.d, path.time = packet.time;
+        path.etaScale = Broadcast16(1.f);
+        path.beta.fill(SampledSpectrum(1));
+        paths.queue->Add(path, FirstLanes(count));
+        for (int i = 0; i < count; ++i)
+            StartPath(first + uint32_t(i), uLambda[i], packet.At(i));
+    }
+    void StartPath(uint32_t slot, float uLambda, const Ray &ray) {
+        paths.lambda[slot] = scene.film.SampleWavelengths(uLambda);
+        paths.L[slot] = SampledSpectrum(0);
+        if (scene.film.WantsSurface()) [[unlikely]]
+            seen[slot] = FindVisibleSurface(scene, ray, paths.lambda[slot]);
+    }
+
+    /// One vertex of every path in the queue. Paths that meet the same kind of surface follow one
+    /// another: their code and its branches are the same.
+    void TraceBounce(int dimension) {
+        paths.shadows.Clear();
+        paths.next->Clear();
+        for (PathList &list : lists)
+            list.size = 0;
+        const bool fromCamera = dimension == kFirstVertexDimension;
+        if (!fromCamera) SortByOctant(*paths.queue);
+        for (int first = 0; first < paths.queue->Size(); first += kPacketSize)
+            Intersect(first, fromCamera);
+        for (size_t kind = 0; kind < lists.size(); ++kind) {
+            const PathList &list = lists[kind];
+            for (int first = 0; first < list.size; first += kPacketSize)
+                ShadeGroup(kind, &list.at[size_t(first)], std::min(kPacketSize, list.size - first),
+                           dimension);
+        }
+        TraceShadows();
+        std::swap(paths.queue, paths.next);
+    }
+
+    /// Sets `order` to the places in the queue, octant by octant.
+    template <typename Queue>
+    void SortByOctant(const Queue &queue) {
+        const int n = queue.Size();
+        std::array<uint32_t, 9> end{};
+        for (int first = 0; first < n; first += kPacketSize)
+            StoreWide(Octant(queue.Directions(first)), &octant[size_t(first)]);
+        for (int i = 0; i < n; ++i)
+            ++end[octant[size_t(i)] + 1];
+        for (size_t k = 1; k < end.size(); ++k)
+            end[k] += end[k - 1];
+        for (int i = 0; i < n; ++i)
+            order[end[octant[size_t(i)]]++] = uint32_t(i);
+        std::fill_n(&order[size_t(n)], kPacketSize, 0u);
+    }
+
+    void Intersect(int first, bool fromCamera) {
+        const int count = std::min(kPacketSize, paths.queue->Size() - first);
+        const UintX16 place =
+            fromCamera ? kLaneNumbers + uint32_t(first) : LoadWide(&order[size_t(first)]);
+        const RayPacket packet = paths.queue->RaysAt(place);
+        HitPacket hits;
+        const LaneBits met = scene.accel->Intersect(
+            packet, FirstLanes(count), &hits, fromCamera ? Coherence::Alike : Coherence::Octant);
+        rays->closest += count;
+        paths.SetHits(place, hits, met);
+        const UintX16 geometry = Select(MaskOf(met), hits.geometry, UintX16{});
+        UintX16 material = met ? Gather(materialOf.data(), geometry) : UintX16{};
+        UintX16 kind = met ? Gather(kindOf.data(), geometry) : UintX16{};
+        ForEachLane(met & BitsOf(kind == kMix), [&](int i) {
+            const Ray ray = packet.At(i);
+            material[i] = uint32_t(scene.MaterialMet(MaterialId(material[i]),
+                                                     scene.SurfaceAt(hits.At(i), ray), ray.d));
+            kind[i] = MaterialGroup(material[i]);
+        });
+        Scatter(&paths.material[0], place, material, met);
+        kind = Select(MaskOf(met), kind, UintX16{});
+        for (int i = 0; i < count; ++i) {
+            PathList &list = lists[kind[i]];
+            list.at[size_t(list.size++)] = place[i];
+        }
+    }
+
+    /// Which list paths belong to that meet this material.
+    uint32_t MaterialGroup(uint32_t material) const {
+        return uint32_t(1 + 2 * scene.materials[material].index() + scene.uniform[material]);
+    }
+
+    /// Paths at the given places of the queue, all of one kind.
+    void ShadeGroup(size_t kind, const uint32_t *from, int count, int dimension) {
+        const UintX16 at = Select(MaskOf(FirstLanes(count)), LoadWide(from), Broadcast16(from[0]));
+        if (kind == 0) {
+            if (scene.infiniteLights.empty()) return;
+            return AddEscapedRadiance(scene, paths.queue->At(at), FirstLanes(count), &paths);
+        }
+        const UintX16 slot = paths.queue->SlotsAt(at);
+        const UintX16 pixel = Gather(&paths.pixel[0], slot), k = Gather(&paths.sample[0], slot);
+        VisitGroup(kind - 1, [&]<typename M, bool kUniform>() {
+            const auto numbers =
+                VertexNumbers::Draw(sampler, dimension, pixel, k, {choosesLights, !HasOneLobe<M>});
+            SurfaceVertices<M, kUniform, Scattering>(scene, paths, numbers).Shade(at, count);
+        });
+    }
+    /// Calls f<M, kUniform>() for the kind 2 * index of M in Material + kUniform.
+    template <typename F, size_t... K>
+    static void VisitGroup(size_t kind, const F &f, std::index_sequence<K...>) {
+        const auto call = [&]<size_t k>() {
+            using M = std::variant_alternative_t<k / 2, Material>;
+            if constexpr (k % 2 == 0 || requires(const M &m) { m.IsUniform(); })
+                f.template operator()<M, k % 2 == 1>();
+        };
+        (void)((kind == K && (call.template operator()<K>(), true)) || ...);
+    }
+    template <typename F>
+    static void VisitGroup(size_t kind, const F &f) {
+        VisitGroup(kind, f, std::make_index_sequence<2 * kTypes>());
+    }
+
+    void TraceShadows() {
+        ShadowQueue &shadows = paths.shadows;
+        rays->shadow += shadows.Size();
+        SortByOctant(shadows);
+        for (int first = 0; first < shadows.Size(); first += kPacketSize) {
+            const LaneBits lanes = FirstLanes(shadows.Size() - first);
+            const uint32_t *const place = &order[size_t(first)];
+            const RayPacket packet = shadows.RaysAt(LoadWide(place));
+            const auto gain = [&](int i, float share) {
+                paths.L[shadows.Slot(place[i])] += shadows.Gain(place[i]) * share;
+            };
+            if (scene.accel->HasNullTransmission()) {
+                FloatX16 passed;
+                scene.accel->Transmittance(packet, lanes, NullTransmissionOf(scene), &passed);
+                ForEachLane(lanes, [&](int i) { gain(i, passed[i]); });
+            } else {
+                const LaneBits dark = scene.accel->Occluded(packet, lanes);
+                ForEachLane(lanes & ~dark, [&](int i) { gain(i, 1); });
+            }
+        }
+    }
+
+    void AddToFilm(std::span<Film::Pixel> sums) {
+        const bool surfaces = scene.film.WantsSurface();
+        uint32_t slot = 0;
+        for (Film::Pixel &pixel : sums) {
+            for (int k = 0; k < batch.SamplesPerPixel(); ++k, ++slot) {
+                SampledSpectrum &L = paths.L[slot];
+                // Never seen in tests; a picture must not lose a pixel to one path.
+                if (!L.IsFinite()) L = SampledSpectrum(0);
+                scene.film.AddSample(&pixel, L, paths.lambda[slot], filterWeight[slot],
+                                     surfaces && seen[slot] ? &*seen[slot] : nullptr);
+            }
+        }
+    }
+
+    const RenderScene &scene;
+    SamplerT sampler;
+    const bool choosesLights;
+    RayCounts *rays = nullptr;
+    SampleBatch batch;
+    PathBatch paths;
+    std::vector<uint32_t> materialOf, kindOf;  ///< by geometry
+    BatchArray<uint32_t> octant, order;
+    /// Places in the queue.
+    struct PathList {
+        BatchArray<uint32_t> at;
+        int size = 0;
+    };
+    /// Rays that left the scene, then by type of material, those that are not uniform first.
+    std::array<PathList, 1 + 2 * kTypes> lists;
+    BatchArray<float> filterWeight;  ///< by slot, as is the next
+    BatchArray<std::optional<VisibleSurface>> seen;
+};
+
+}  // namespace pbrt

@@ -1,0 +1,121 @@
+#pragma once
+
+#include "pbrt/integrators/path/path_state.h"
+
+namespace pbrt {
+
+/// So many paths are traced together: enough that packets stay full when most have ended, few
+/// enough that their state stays in a core's own cache.
+inline constexpr int kBatchSize = 2048;
+
+/// One number for each path of a batch, readable sixteen at a time.
+template <typename T>
+using BatchArray = std::array<T, kBatchSize + kPacketSize>;
+
+/// Points or vectors of a queue, readable and appendable sixteen at a time.
+struct BatchVectors {
+    BatchArray<float> x{}, y{}, z{};
+
+    Vector3fX16 Load(int first) const {
+        const size_t at = size_t(first);
+        return {LoadWide(&x[at]), LoadWide(&y[at]), LoadWide(&z[at])};
+    }
+    Vector3fX16 At(const UintX16 &at) const {
+        return {Gather(&x[0], at), Gather(&y[0], at), Gather(&z[0], at)};
+    }
+    void Put(int end, const Vector3fX16 &v, LaneBits lanes) {
+        const size_t at = size_t(end);
+        StoreLanes(&x[at], v.x, lanes);
+        StoreLanes(&y[at], v.y, lanes);
+        StoreLanes(&z[at], v.z, lanes);
+    }
+};
+
+/// The paths of a batch that go on: their next rays and what they carry, one array per quantity.
+/// What a path keeps from its start to its end is found by its slot instead.
+class PathQueue {
+  public:
+    int Size() const { return size; }
+    void Clear() { size = 0; }
+    /// Whether PathState::previous has its normal: where somebody reads them. Before the first Add.
+    void KeepNormals(bool keep) { keepsNormals = keep; }
+
+    void Add(const PathPacket &paths, LaneBits lanes) {
+        const size_t end = size_t(size);
+        StoreLanes(&slot[end], paths.slot, lanes);
+        o.Put(size, paths.o, lanes);
+        d.Put(size, paths.d, lanes);
+        StoreLanes(&time[end], paths.time, lanes);
+        p.Put(size, paths.p, lanes);
+        if (keepsNormals) ns.Put(size, paths.ns, lanes);
+        StoreLanes(&bsdfPDF[end], paths.bsdfPDF, lanes);
+        StoreLanes(&etaScale[end], paths.etaScale, lanes);
+        StoreLanes(&depth[end], paths.depth, lanes);
+        StoreLanes(&anyNonSpecular[end], paths.anyNonSpecular, lanes);
+        ForEachLane(lanes, [&](int i) { beta[size_t(size++)] = paths.beta[size_t(i)]; });
+    }
+    UintX16 SlotsAt(const UintX16 &at) const { return Gather(&slot[0], at); }
+    PathPacket At(const UintX16 &at) const {
+        PathPacket paths;
+        paths.slot = Gather(&slot[0], at);
+        paths.o = o.At(at), paths.d = d.At(at), paths.time = Gather(&time[0], at);
+        paths.p = p.At(at);
+        paths.ns = {};
+        paths.bsdfPDF = Gather(&bsdfPDF[0], at), paths.etaScale = Gather(&etaScale[0], at);
+        paths.depth = Gather(&depth[0], at);
+        paths.anyNonSpecular = Gather(&anyNonSpecular[0], at);
+        if (keepsNormals) paths.ns = ns.At(at);
+        for (int i = 0; i < kPacketSize; ++i)
+            paths.beta[size_t(i)] = beta[at[i]];
+        return paths;
+    }
+    /// The rays of the paths at sixteen places.
+    RayPacket RaysAt(const UintX16 &at) const {
+        return {o.At(at), d.At(at), Broadcast16(Infinity), Gather(&time[0], at)};
+    }
+    /// Of sixteen successive paths; those beyond Size() are anything.
+    Vector3fX16 Directions(int first) const { return d.Load(first); }
+
+  private:
+    BatchArray<uint32_t> slot{}, depth{}, anyNonSpecular{};
+    BatchVectors o, d, p, ns;
+    BatchArray<float> time{}, bsdfPDF{}, etaScale{};
+    BatchArray<SampledSpectrum> beta{};
+    int size = 0;
+    bool keepsNormals = true;
+};
+
+/// Shadow rays of a batch.
+class ShadowQueue {
+  public:
+    int Size() const { return size; }
+    void Clear() { size = 0; }
+    /// Rays towards points on lights; `gains`, one a lane: what the paths in `slots` gain unless
+    /// something stands between.
+    void Add(const UintX16 &slots, const FloatX16 &times, const Point3fX16 &from,
+             const Point3fX16 &to, const std::array<SampledSpectrum, kPacketSize> &gains,
+             LaneBits lanes) {
+        StoreLanes(&slot[size_t(size)], slots, lanes);
+        StoreLanes(&time[size_t(size)], times, lanes);
+        o.Put(size, from, lanes);
+        d.Put(size, to - from, lanes);
+        ForEachLane(lanes, [&](int i) { gain[size_t(size++)] = gains[size_t(i)]; });
+    }
+    /// As far as just before the light, at sixteen places.
+    RayPacket RaysAt(const UintX16 &at) const {
+        return {o.At(at), d.At(at), Broadcast16(1 - 1e-4f), Gather(&time[0], at)};
+    }
+    /// Of sixteen successive rays; those beyond Size() are anything.
+    Vector3fX16 Directions(int first) const { return d.Load(first); }
+    uint32_t Slot(uint32_t at) const { return slot[at]; }
+    SampledSpectrum Gain(uint32_t at) const { return gain[at]; }
+
+  private:
+    BatchArray<uint32_t> slot{};
+    BatchArray<SampledSpectrum> gain{};
+    BatchVectors o, d;
+    BatchArray<float> time{};
+    int size = 0;
+};
+
+}  // namespace pbrt
