@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <string_view>
-#include <utility>
+#include <type_traits>
 #include <variant>
 
 namespace pbrt {
