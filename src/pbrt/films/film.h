@@ -81,17 +81,36 @@ class Film {
         double Mean(int c) const { return rgb[size_t(c)].Value() / weight.Value(); }
     };
     Pixel NewPixel() const;
-    /// Adds radiance L sampled at lambda with the filter's weight. `surface`: what the path saw
-    /// first, null where nothing or nobody WantsSurface.
-    void AddSample(Pixel *pixel, SampledSpectrum L, const SampledWavelengths &lambda, float weight,
-                   const VisibleSurface *surface = nullptr) const {
-        const RGB rgb = sensor.Response(L, lambda);
-        for (int c = 0; c < 3; ++c)
-            pixel->rgb[size_t(c)] += double(weight) * rgb[c];
-        pixel->weight += weight;
-        if (type.index() != 0) [[unlikely]]
-            AddMore(pixel, L, rgb, lambda, weight, surface);
-    }
+    /// Samples on their way into a pixel. Those of one object are summed up in double precision,
+    /// one after another, and added to the exact sums together, which is faster: so their order and
+    /// grouping do matter, and must be those of a piece's samples.
+    class Samples {
+      public:
+        Samples(const Film &film, Pixel *pixel) : film(film), pixel(pixel) {}
+        /// Radiance L sampled at lambda with the filter's weight. `surface`: what the path saw
+        /// first, null where nothing or nobody WantsSurface.
+        void Add(SampledSpectrum L, const SampledWavelengths &lambda, float weight,
+                 const VisibleSurface *surface = nullptr) {
+            const RGB response = film.sensor.Response(L, lambda);
+            for (int c = 0; c < 3; ++c)
+                rgb[size_t(c)] += double(weight) * response[c];
+            sumOfWeights += weight;
+            if (film.type.index() != 0) [[unlikely]]
+                film.AddMore(pixel, L, response, lambda, weight, surface);
+        }
+        /// Once, after the last.
+        void Finish() const {
+            for (size_t c = 0; c < 3; ++c)
+                pixel->rgb[c] += rgb[c];
+            pixel->weight += sumOfWeights;
+        }
+
+      private:
+        const Film &film;
+        Pixel *pixel;
+        std::array<double, 3> rgb{};
+        double sumOfWeights = 0;
+    };
 
     /// An image of Bounds(), black, with the channels and attributes of the film.
     Image NewImage() const;
