@@ -7,7 +7,6 @@
 #include <cmath>
 #include <optional>
 
-#include "pbrt/image/image.h"
 #include "pbrt/spectra/matrix.h"
 #include "pbrt/spectra/sigmoid_fit.h"
 #include "pbrt/spectra/sigmoid_table.h"
@@ -211,14 +210,6 @@ SampledSpectrum RGBColorSpace::SampleUnbounded(const RGB &rgb,
 SampledSpectrum RGBColorSpace::SampleIlluminant(const RGB &rgb,
                                                 const SampledWavelengths &lambda) const {
     return SampleUnbounded(rgb, lambda) * tables->illuminant->Sample(lambda.Lambda());
-}
-
-float LinearToSRGB(float linear) {
-    return ColorEncoding{ColorEncoding::Kind::sRGB}.FromLinear(linear);
-}
-
-float SRGBToLinear(float encoded) {
-    return ColorEncoding{ColorEncoding::Kind::sRGB}.ToLinear(encoded);
 }
 
 Matrix3 WhiteBalance(const std::array<float, 2> &fromXY, const std::array<float, 2> &toXY) {

@@ -73,9 +73,6 @@ class RGBColorSpace {
     std::unique_ptr<Tables> tables;
 };
 
-/// sRGB transfer curve; linear in [0, 1] to encoded and back.
-float LinearToSRGB(float linear);
-float SRGBToLinear(float encoded);
 /// 3 x 3 matrix that adapts XYZ from one white point (xy) to another, Bradford's method.
 Matrix3 WhiteBalance(const std::array<float, 2> &fromXY, const std::array<float, 2> &toXY);
 

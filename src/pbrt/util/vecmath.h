@@ -5,8 +5,6 @@
 #include <limits>
 #include <type_traits>
 
-#include "pbrt/pbrt.h"
-
 namespace pbrt {
 
 inline constexpr float Pi = 3.14159265358979323846f;
