@@ -65,16 +65,4 @@ void WriteText(const std::string &fileName, std::string_view text, Diagnostics &
     if (const auto why = WriteFileAtomically(fileName, text)) log.Error({}, *why);
 }
 
-Outcome Finish(const Diagnostics &log, std::string out) {
-    Outcome outcome;
-    for (const Message &m : log.Messages())
-        outcome.err +=
-            fmt::format("{}: {}\n", m.severity == Severity::Error ? "Error" : "Warning", m.text);
-    if (log.HasErrors())
-        outcome.exitCode = 1;
-    else
-        outcome.out = std::move(out);
-    return outcome;
-}
-
 }  // namespace pbrt::bsdftool

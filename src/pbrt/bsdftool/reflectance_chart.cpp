@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 
-#include "pbrt/bsdftool/axis.h"
-#include "pbrt/bsdftool/canvas.h"
 #include "pbrt/bsdftool/reflectance.h"
+#include "pbrt/plot/axis.h"
+#include "pbrt/plot/canvas.h"
 
 namespace pbrt::bsdftool {
 namespace {
+
+using namespace plot;
 
 constexpr int kWidth = 900, kHeight = 640;
 constexpr double kFont = 13, kLeft = 80, kRight = 790, kTop = 56, kBottom = 440;

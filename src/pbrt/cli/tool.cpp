@@ -9,7 +9,6 @@
 #include "pbrt/cli/help.h"
 #include "pbrt/cli/main.h"
 #include "pbrt/util/args.h"
-#include "pbrt/util/diagnostics.h"
 #include "pbrt/util/upstream.h"
 #include "pbrt/util/write_all.h"
 
@@ -95,6 +94,18 @@ std::optional<Outcome> Parse(CLI::App *app, Args args) {
         return mistake(e.what());
     }
     return {};
+}
+
+Outcome Finish(const Diagnostics &log, std::string out) {
+    Outcome outcome;
+    for (const Message &m : log.Messages())
+        outcome.err +=
+            fmt::format("{}: {}\n", m.severity == Severity::Error ? "Error" : "Warning", m.text);
+    if (log.HasErrors())
+        outcome.exitCode = 1;
+    else
+        outcome.out = std::move(out);
+    return outcome;
 }
 
 int Print(const Outcome &outcome) {

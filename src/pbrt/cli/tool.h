@@ -5,6 +5,9 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
+
+#include "pbrt/util/diagnostics.h"
 
 // Programs made of sub-commands. Nothing is printed here: a run returns what to print, so that
 // tests call what users call.
@@ -40,6 +43,22 @@ Outcome Failure(std::string_view tool, std::string_view reason);
 /// the last counts. Adds `--version`. Something is returned where the command ends here: help, the
 /// version, or a mistake.
 std::optional<Outcome> Parse(CLI::App *app, Args args);
+
+/// Runs a command that takes options: `define` binds those of `app` to an Options, `run` has it
+/// filled. Help, the version and the user's mistakes end as Parse has them.
+template <typename Options>
+Outcome RunWithOptions(Args args, const std::string &name, const std::string &description,
+                       void (*define)(CLI::App *app, Options *options),
+                       Outcome (*run)(Options &options)) {
+    CLI::App app(description, name);
+    Options options;
+    define(&app, &options);
+    if (std::optional<Outcome> end = Parse(&app, args)) return *std::move(end);
+    return run(options);
+}
+
+/// The end of a command: `out` and the warnings of the log, or its errors and exit code 1.
+Outcome Finish(const Diagnostics &log, std::string out = {});
 
 /// Prints it; the result is main's: 1 where standard output takes less than all of it.
 int Print(const Outcome &outcome);
