@@ -43,7 +43,6 @@ class Transform {
     Transform Inverse() const { return Transform(mInv, m); }
     Transform operator*(const Transform &b) const;
     bool operator==(const Transform &) const = default;
-    bool IsIdentity() const { return *this == Transform(); }
     /// True where the map turns right-handed frames into left-handed ones.
     bool SwapsHandedness() const;
 
