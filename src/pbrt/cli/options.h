@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
@@ -54,10 +53,8 @@ Domain Representable(Domain domain, double number) {
 template <typename T>
 std::optional<T> ReadOne(const std::string &text, Domain *domain) {
     if constexpr (std::is_integral_v<T>) {
-        T exact;  // digits beyond those of a double
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), exact);
-        if (error == std::errc() && end == text.data() + text.size())
-            return domain->Holds(double(exact)) ? std::optional<T>(exact) : std::nullopt;
+        if (const std::optional<T> exact = ParseWhole<T>(text))  // digits beyond those of a double
+            return domain->Holds(double(*exact)) ? exact : std::nullopt;
     }
     const std::optional<double> number = ParseNumber(text);
     if (!number) return {};

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "pbrt/spectra/spectrum.h"
+#include "pbrt/util/matrix.h"
 
 namespace pbrt {
 
@@ -19,9 +20,6 @@ struct RGB {
     float Average() const { return (r + g + b) / 3; }
     float Max() const { return std::max(r, std::max(g, b)); }
 };
-
-using Matrix3 = std::array<std::array<float, 3>, 3>;  ///< [row][column]
-std::array<float, 3> Mul(const Matrix3 &m, const std::array<float, 3> &v);
 
 /// Standard RGB space: primaries, white, and the map from its colours to spectra.
 class RGBColorSpace {

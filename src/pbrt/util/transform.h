@@ -1,14 +1,11 @@
 #pragma once
 
-#include <array>
 #include <optional>
 
+#include "pbrt/util/matrix.h"
 #include "pbrt/util/vecmath.h"
 
 namespace pbrt {
-
-/// 4 x 4 matrix, m[row][column], acting on column vectors.
-using Matrix4 = std::array<std::array<float, 4>, 4>;
 
 /// The upper left part of m, transposed, applied to v: a normal's transform, m being the inverse.
 template <typename M, typename T>
