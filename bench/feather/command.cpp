@@ -40,7 +40,7 @@ void DefineOptions(CLI::App *app, Options *o) {
                    "rounds of three passes, of which the fastest counts (default: 20)");
     cli::AddNumber(app, "--pairs", &o->pairs, {.lo = 1, .hi = 1000000},
                    "pairs of directions for errors (default: 1000)");
-    app->add_option("--csv", o->csv, "file for the same table as CSV");
+    cli::AddText(app, "--csv", &o->csv, "file for the same table as CSV");
 }
 
 std::vector<Case> Yardsticks() {

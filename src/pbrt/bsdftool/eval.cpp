@@ -2,6 +2,7 @@
 
 #include "pbrt/bsdftool/command_line.h"
 #include "pbrt/bsdftool/evaluation.h"
+#include "pbrt/cli/options.h"
 
 namespace pbrt::bsdftool {
 namespace {
@@ -21,14 +22,13 @@ constexpr char kDescription[] =
 
 void DefineOptions(CLI::App *app, Options *o) {
     AddMaterial(app, &o->common);
-    app->add_option("--directions", o->directions,
-                    "CSV file with the header wo_x,wo_y,wo_z,wi_x,wi_y,wi_z")
-        ->required();
-    app->add_option("--wavelengths", o->wavelengths, "in nm (default: 450,550,650)")
-        ->type_name("nm,nm,...");
-    app->add_flag("--double", o->inDouble,
-                  "evaluate the model in double precision with a converged quadrature");
-    app->add_option("--outfile", o->outfile, "file for the lines (default: standard output)");
+    cli::AddRequired(app, "--directions", &o->directions,
+                     "CSV file with the header wo_x,wo_y,wo_z,wi_x,wi_y,wi_z");
+    cli::AddText(app, "--wavelengths", &o->wavelengths, "in nm (default: 450,550,650)",
+                 "nm,nm,...");
+    cli::AddFlag(app, "--double", &o->inDouble,
+                 "evaluate the model in double precision with a converged quadrature");
+    cli::AddText(app, "--outfile", &o->outfile, "file for the lines (default: standard output)");
 }
 
 Outcome WithOptions(Options &o) {

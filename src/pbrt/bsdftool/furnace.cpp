@@ -24,14 +24,14 @@ constexpr char kDescription[] =
 
 void DefineOptions(CLI::App *app, Options *o) {
     AddMaterial(app, &o->common);
-    app->add_option("--thetas", o->thetas, "angles to the normal, degrees; beyond 90: from below")
-        ->type_name("theta,theta,...");
-    app->add_option("--phis", o->phis,
-                    "azimuths from x (across barbules) towards y (along them), degrees")
-        ->type_name("phi,phi,...");
+    cli::AddText(app, "--thetas", &o->thetas,
+                 "angles to the normal, degrees; beyond 90: from below", "theta,theta,...");
+    cli::AddText(app, "--phis", &o->phis,
+                 "azimuths from x (across barbules) towards y (along them), degrees",
+                 "phi,phi,...");
     cli::AddNumber(app, "--samples", &o->samples, {.lo = 16, .hi = 1 << 24},
                    "directions drawn per row and four wavelengths");
-    app->add_option("--csv", o->csv, "file for the same table as CSV");
+    cli::AddText(app, "--csv", &o->csv, "file for the same table as CSV");
 }
 
 struct Row {

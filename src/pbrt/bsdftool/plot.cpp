@@ -22,10 +22,8 @@ constexpr char kDescription[] =
 
 void DefineOptions(CLI::App *app, Options *o) {
     AddMaterial(app, &o->common);
-    app->add_option("--light", o->lights,
-                    "where the light is, degrees; may be repeated (default: 30,0)")
-        ->allow_extra_args(false)
-        ->type_name("theta,phi");
+    cli::AddRepeated(app, "--light", &o->lights,
+                     "where the light is, degrees; may be repeated (default: 30,0)", "theta,phi");
     cli::AddChoice(app, "--value", &o->value, {"fcos", "f"},
                    "fcos (default): f times the cosine of the scattered direction; f: f itself");
     cli::AddNumber(
@@ -38,8 +36,8 @@ void DefineOptions(CLI::App *app, Options *o) {
     cli::AddNumber(app, "--wavelengths", &o->picture.wavelengths, {.lo = 4, .hi = 4096},
                    "how many make up a color (default: 40; films of many micrometres need more)");
     AddIlluminant(app, &o->common);
-    app->add_option("--exr", o->exr, "file for the values: linear sRGB without exposure");
-    app->add_option("--png", o->png, "file for a sheet with axes");
+    cli::AddText(app, "--exr", &o->exr, "file for the values: linear sRGB without exposure");
+    cli::AddText(app, "--png", &o->png, "file for a sheet with axes");
 }
 
 std::vector<LightAngles> ReadLights(const std::vector<std::string> &texts, Diagnostics &log) {

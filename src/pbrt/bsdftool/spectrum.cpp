@@ -17,9 +17,9 @@ constexpr char kDescription[] =
 
 void DefineOptions(CLI::App *app, Options *o) {
     AddMaterial(app, &o->common);
-    app->add_option("--thetas", o->thetas,
-                    "angles to the normal in degrees, [-90, 90] (default: 0 to 85 by 5)")
-        ->type_name("theta,theta,...");
+    cli::AddText(app, "--thetas", &o->thetas,
+                 "angles to the normal in degrees, [-90, 90] (default: 0 to 85 by 5)",
+                 "theta,theta,...");
     cli::AddNumber(app, "--phi", &o->reflectance.phi, {.lo = -360, .hi = 360},
                    "azimuth from x (across barbules) towards y (along them), degrees (default: 0)");
     cli::AddNumber(app, "--step", &o->reflectance.step, {.lo = 0.1, .hi = 50},
@@ -27,8 +27,8 @@ void DefineOptions(CLI::App *app, Options *o) {
     cli::AddNumber(app, "--samples", &o->reflectance.samples, {.lo = 16, .hi = 1 << 24},
                    "directions drawn per angle and four wavelengths (default: 2048)");
     AddIlluminant(app, &o->common);
-    app->add_option("--csv", o->csv, "file for theta,phi,lambda,reflectance and parts");
-    app->add_option("--png", o->png, "file for a plot: curves, and a strip of colors");
+    cli::AddText(app, "--csv", &o->csv, "file for theta,phi,lambda,reflectance and parts");
+    cli::AddText(app, "--png", &o->png, "file for a plot: curves, and a strip of colors");
 }
 
 Outcome WithOptions(Options &o) {

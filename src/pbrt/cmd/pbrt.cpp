@@ -39,8 +39,9 @@ struct Arguments {
 };
 
 void DefineOptions(CLI::App *app, Arguments *a) {
-    app->add_option("files", a->files, "scene files, in order; none: standard input");
-    app->add_option("--outfile", a->overrides.film.outfile, "picture to write (.exr, .png, .pfm)");
+    cli::AddTexts(app, "files", &a->files, "scene files, in order; none: standard input");
+    cli::AddText(app, "--outfile", &a->overrides.film.outfile,
+                 "picture to write (.exr, .png, .pfm)");
     cli::AddNumber(app, "--spp", &a->spp, {.lo = 1, .hi = kMaxSamplesPerPixel},
                    "samples per pixel");
     cli::AddNumber(app, "--target-error", &a->overrides.targetError, cli::kAboveZero,
@@ -53,31 +54,33 @@ void DefineOptions(CLI::App *app, Arguments *a) {
                     "this part of the picture only, which is [0, 1] x [0, 1]");
     CLI::Option *const boundsOption =
         cli::AddNumbers(app, "--pixelbounds", &a->bounds, "x0,x1,y0,y1", {}, "these pixels only");
-    cli::AddNumbers(app, "--pixel", &a->pixel, "x,y", {.lo = 0, .hi = kMaxResolution - 1},
-                    "this pixel only")
-        ->excludes(boundsOption);
+    CLI::Option *const pixelOption = cli::AddNumbers(
+        app, "--pixel", &a->pixel, "x,y", {.lo = 0, .hi = kMaxResolution - 1}, "this pixel only");
+    cli::Exclude(pixelOption, boundsOption);
     cli::AddChoice(app, "--render-coord-sys", &a->options.renderCoordSys,
                    {"camera", "cameraworld", "world"}, "space to render in");
-    app->add_flag("--quick", a->overrides.film.quick, "a quarter of the resolution, one sample");
-    app->add_flag("--disable-pixel-jitter", a->options.disablePixelJitter, "pixel centres only");
-    app->add_flag("--disable-wavelength-jitter", a->options.disableWavelengthJitter,
-                  "the same wavelengths for every path");
-    app->add_flag("--disable-texture-filtering", a->options.disableTextureFiltering,
-                  "point-sampled textures");
-    app->add_flag("--force-diffuse", a->options.forceDiffuse,
-                  "every surface matt, reflecting as much as its material does");
-    app->add_option("--mse-reference-image", a->options.mseReferenceImage,
-                    "picture without noise, to tell the error of this one");
-    app->add_option("--mse-reference-out", a->options.mseReferenceOut,
-                    "file for lines \"spp, mean squared error\" at 1, 2, 4, ... samples per pixel");
-    app->add_flag("--stats", a->stats, "print rays per second, memory and times");
-    app->add_option("--stats-file", a->statsFile, "write the same as JSON to this file");
-    app->add_flag("--quiet", a->quiet, "no progress, no warnings");
-    app->footer(
-        "examples:\n"
-        "  pbrt scene.pbrt --spp 64 --outfile picture.exr\n"
-        "  pbrt --quick --cropwindow 0.25,0.75,0,1 scene.pbrt\n"
-        "  pbrt --target-error 0.02 --spp 4096 --stats scene.pbrt\n");
+    cli::AddFlag(app, "--quick", &a->overrides.film.quick,
+                 "a quarter of the resolution, one sample");
+    cli::AddFlag(app, "--disable-pixel-jitter", &a->options.disablePixelJitter,
+                 "pixel centres only");
+    cli::AddFlag(app, "--disable-wavelength-jitter", &a->options.disableWavelengthJitter,
+                 "the same wavelengths for every path");
+    cli::AddFlag(app, "--disable-texture-filtering", &a->options.disableTextureFiltering,
+                 "point-sampled textures");
+    cli::AddFlag(app, "--force-diffuse", &a->options.forceDiffuse,
+                 "every surface matt, reflecting as much as its material does");
+    cli::AddText(app, "--mse-reference-image", &a->options.mseReferenceImage,
+                 "picture without noise, to tell the error of this one");
+    cli::AddText(app, "--mse-reference-out", &a->options.mseReferenceOut,
+                 "file for lines \"spp, mean squared error\" at 1, 2, 4, ... samples per pixel");
+    cli::AddFlag(app, "--stats", &a->stats, "print rays per second, memory and times");
+    cli::AddText(app, "--stats-file", &a->statsFile, "write the same as JSON to this file");
+    cli::AddFlag(app, "--quiet", &a->quiet, "no progress, no warnings");
+    cli::AddFooter(app,
+                   "examples:\n"
+                   "  pbrt scene.pbrt --spp 64 --outfile picture.exr\n"
+                   "  pbrt --quick --cropwindow 0.25,0.75,0,1 scene.pbrt\n"
+                   "  pbrt --target-error 0.02 --spp 4096 --stats scene.pbrt\n");
 }
 
 int Complain(const std::string &why) {

@@ -21,8 +21,8 @@ constexpr char kDescription[] =
 
 void DefineOptions(CLI::App *app, NeckOptions *o) {
     o->feather.AddTo(app);
-    app->add_option("--surface", o->surface,
-                    "PLY file to cover, millimetres (default: a dove's neck)");
+    cli::AddText(app, "--surface", &o->surface,
+                 "PLY file to cover, millimetres (default: a dove's neck)");
     cli::AddNumbers(app, "--flow", &o->flow, "x,y,z", {},
                     "where feathers' tips point (default 0,0,-1)");
 }

@@ -28,28 +28,28 @@ constexpr char kDescription[] =
     "aces-filmic, repeat-pix, flipy. Channel A keeps its values.";
 
 void DefineOptions(CLI::App *app, Options *o) {
-    app->add_option("picture", o->file, "picture to read (EXR, PNG, JPEG, PFM, HDR)")->required();
+    cli::AddRequired(app, "picture", &o->file, "picture to read (EXR, PNG, JPEG, PFM, HDR)");
     AddOutfile(app, &o->outfile);
     AddChannels(app, &o->channels);
     AddCrop(app, &o->crop);
     cli::AddNumber(app, "--clamp", &o->clamp, {}, "largest value");
-    app->add_option("--colorspace", o->colorSpace, "srgb, rec2020, dci-p3 or aces2065-1");
-    app->add_flag("--bw", o->bw, "gray: the mean of the channels");
+    cli::AddText(app, "--colorspace", &o->colorSpace, "srgb, rec2020, dci-p3 or aces2065-1");
+    cli::AddFlag(app, "--bw", &o->bw, "gray: the mean of the channels");
     cli::AddNumber(app, "--despike", &o->despike, {},
                    "replace pixels of a mean above this by the median of their neighbours");
     cli::AddNumber(app, "--scale", &o->scale, {}, "factor (default 1)");
     cli::AddNumber(app, "--exposure", &o->exposure, {}, "factor 2^x: x stops (default 0)");
     cli::AddNumber(app, "--gamma", &o->gamma, cli::kAboveZero, "exponent (default 1)");
-    app->add_flag("--tonemap", o->tonemap, "Reinhard's operator on the mean of the channels");
+    cli::AddFlag(app, "--tonemap", &o->tonemap, "Reinhard's operator on the mean of the channels");
     cli::AddNumber(app, "--max-luminance", &o->maxLuminance, cli::kAboveZero,
                    "mean that --tonemap takes to 1 (default 1)");
-    app->add_flag("--preserve-colors", o->preserveColors,
-                  "scale pixels with values above 1 down instead of clipping each value");
-    app->add_flag("--aces-filmic", o->acesFilmic, "filmic curve to [0, 1]");
+    cli::AddFlag(app, "--preserve-colors", &o->preserveColors,
+                 "scale pixels with values above 1 down instead of clipping each value");
+    cli::AddFlag(app, "--aces-filmic", &o->acesFilmic, "filmic curve to [0, 1]");
     cli::AddNumber(app, "--repeat-pix", &o->repeat, {.lo = 1, .hi = 1024},
                    "repeat pixels n times in both directions");
-    app->add_flag("--flipy", o->flipY, "upside down");
-    app->add_flag("--fp16", o->fp16, "half floats in EXR (default: as the input)");
+    cli::AddFlag(app, "--flipy", &o->flipY, "upside down");
+    cli::AddFlag(app, "--fp16", &o->fp16, "half floats in EXR (default: as the input)");
 }
 
 std::optional<std::string> ToColorSpace(const std::string &name, Image *image) {

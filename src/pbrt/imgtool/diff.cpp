@@ -25,12 +25,13 @@ constexpr char kDescription[] =
     "no tile differs by more than noise explains.";
 
 void DefineOptions(CLI::App *app, Options *o) {
-    app->add_option("picture", o->file, "picture to judge")->required();
+    cli::AddRequired(app, "picture", &o->file, "picture to judge");
     AddComparison(app, &o->reference, &o->metric);
     cli::AddNumber(app, "--difftol", &o->tolerance, cli::kFromZero,
                    "largest error that passes (default 0)");
-    app->add_option("--outfile", o->outfile, "picture of the error of each value");
-    app->add_option("--variance", o->variance, "picture of the variance of each reference value");
+    cli::AddText(app, "--outfile", &o->outfile, "picture of the error of each value");
+    cli::AddText(app, "--variance", &o->variance,
+                 "picture of the variance of each reference value");
     cli::AddNumber(app, "--variance-ratio", &o->varianceRatio, cli::kFromZero,
                    "variance of the picture in units of the reference's (default: by the samples "
                    "per pixel in the files, else 1)");

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "pbrt/cli/options.h"
 #include "pbrt/imgtool/command_line.h"
 #include "pbrt/imgtool/metric.h"
 #include "pbrt/imgtool/pictures.h"
@@ -19,9 +20,9 @@ constexpr char kDescription[] =
     "number of samples per pixel.";
 
 void DefineOptions(CLI::App *app, Options *o) {
-    app->add_option("files", o->files, "pictures, or the beginning of their names")->required();
+    cli::AddRequired(app, "files", &o->files, "pictures, or the beginning of their names");
     AddComparison(app, &o->reference, &o->metric);
-    app->add_option("--errorfile", o->errorFile, "picture of the error of each value");
+    cli::AddText(app, "--errorfile", &o->errorFile, "picture of the error of each value");
     AddCrop(app, &o->crop);
 }
 
