@@ -14,7 +14,7 @@ TEST_P(BrokenPlugin, SaysWhatIsExpected) {
     ExpectMessages(kFolder, GetParam(), [](const std::string &file, Diagnostics &log) {
         SceneDescription scene;
         ParseFiles({file}, scene, log);
-        EXPECT_FALSE(MakeRenderTask(scene, {}, log));
+        EXPECT_FALSE(MakeRenderTask(std::move(scene), {}, log));
     });
 }
 
