@@ -17,42 +17,14 @@ ParamDict Params(const Entity &entity, std::string_view kind, std::string_view t
 constexpr std::array<std::string_view, 2> kIntegrators{"volpath", "path"};
 constexpr std::array<std::string_view, 1> kAccelerators{"bvh"};
 constexpr std::array<std::string_view, 4> kSplitMethods{"sah", "middle", "equal", "hlbvh"};
-
-struct IntegratorChoice {
-    PathSettings path;
-    std::string lightSampler = "bvh";
-};
-
-IntegratorChoice ReadIntegrator(const SceneDescription &description, Diagnostics &log) {
-    IntegratorChoice choice;
-    const std::string type =
-        description.integrator.type.empty() ? "volpath" : description.integrator.type;
-    ParamDict params = Params(description.integrator, "integrator", type, description, log);
-    if (std::find(kIntegrators.begin(), kIntegrators.end(), type) == kIntegrators.end()) {
-        params.Error(UnknownName("integrator", type, kIntegrators));
-        return choice;
-    }
-    choice.path.maxDepth = params.GetOneInt("maxdepth", 5, 0, 1 << 20);
-    choice.path.regularize = params.GetOneBool("regularize", false);
-    const int which = params.GetOneChoice("lightsampler", "bvh", kLightSamplerNames);
-    choice.lightSampler = kLightSamplerNames[which];
-    params.ReportUnused();
-    return choice;
-}
-
-/// Embree chooses for itself: pbrt's hints are checked and have no effect.
-void ReadAccelerator(const SceneDescription &description, Diagnostics &log) {
-    if (description.accelerator.type.empty()) return;
-    ParamDict params = Params(description.accelerator, "accelerator", description.accelerator.type,
-                              description, log);
-    if (description.accelerator.type != kAccelerators[0]) {
-        params.Error(UnknownName("accelerator", description.accelerator.type, kAccelerators));
-        return;
-    }
-    params.GetOneChoice("splitmethod", "sah", kSplitMethods);
-    params.GetOneInt("maxnodeprims", 4, 1, 255);
-    params.ReportUnused();
-}
+constexpr IntParam kMaxDepth{"maxdepth", 5, 0, 1 << 20, "longest path: scattering events"};
+constexpr BoolParam kRegularize{"regularize", false,
+                                "rougher surfaces after a path's first rough one"};
+constexpr ChoiceParam kLightSampler{"lightsampler", kLightSamplerNames[0], kLightSamplerNames,
+                                    "how one light of many is chosen"};
+constexpr ChoiceParam kSplitMethod{"splitmethod", kSplitMethods[0], kSplitMethods,
+                                   "no effect: Embree chooses"};
+constexpr IntParam kMaxNodePrims{"maxnodeprims", 4, 1, 255, "no effect: Embree chooses"};
 
 void ReadSampling(const SceneDescription &description, const Overrides &overrides,
                   RenderScene &scene, Diagnostics &log) {
@@ -75,7 +47,7 @@ void ReadSampling(const SceneDescription &description, const Overrides &override
 /// than two. Not where `power` is given, which is each triangle's (PBRT_FORMAT 2.10).
 std::optional<Shape> MergedEmitter(const Geometry &geometry, ParamDict &params) {
     const auto *mesh = std::get_if<TriangleMesh>(&geometry.shape);
-    if (!mesh || params.Has("power") || !geometry.alpha.IsConstant()) return {};
+    if (!mesh || params.Has(kLightPower) || !geometry.alpha.IsConstant()) return {};
     return AsParallelogram(*mesh);
 }
 
@@ -115,6 +87,36 @@ void BuildLights(const SceneDescription &description, const std::string &lightSa
 
 }  // namespace
 
+std::span<const std::string_view> IntegratorNames() {
+    return kIntegrators;
+}
+std::span<const std::string_view> AcceleratorNames() {
+    return kAccelerators;
+}
+
+IntegratorChoice ReadIntegrator(std::string_view type, ParamDict &params) {
+    IntegratorChoice choice;
+    if (std::find(kIntegrators.begin(), kIntegrators.end(), type) == kIntegrators.end()) {
+        params.Error(UnknownName("integrator", type, kIntegrators));
+        return choice;
+    }
+    choice.path.maxDepth = params.GetOneInt(kMaxDepth);
+    choice.path.regularize = params.GetOneBool(kRegularize);
+    choice.lightSampler = kLightSamplerNames[size_t(params.GetOneChoice(kLightSampler))];
+    params.ReportUnused();
+    return choice;
+}
+
+void ReadAccelerator(std::string_view type, ParamDict &params) {
+    if (type != kAccelerators[0]) {
+        params.Error(UnknownName("accelerator", type, kAccelerators));
+        return;
+    }
+    params.GetOneChoice(kSplitMethod);
+    params.GetOneInt(kMaxNodePrims);
+    params.ReportUnused();
+}
+
 std::unique_ptr<RenderScene> BuildScene(SceneDescription &description, const Overrides &overrides,
                                         Diagnostics &log) {
     auto scene = std::make_unique<RenderScene>();
@@ -125,9 +127,16 @@ std::unique_ptr<RenderScene> BuildScene(SceneDescription &description, const Ove
                           scene->camera.RenderFromWorld().Inverse());
     scene->film.SetExposure(scene->camera.ShutterClose() - scene->camera.ShutterOpen());
     ReadSampling(description, overrides, *scene, log);
-    const IntegratorChoice integrator = ReadIntegrator(description, log);
+    const std::string type =
+        description.integrator.type.empty() ? "volpath" : description.integrator.type;
+    ParamDict integratorParams =
+        Params(description.integrator, "integrator", type, description, log);
+    const IntegratorChoice integrator = ReadIntegrator(type, integratorParams);
     scene->path = integrator.path;
-    ReadAccelerator(description, log);
+    if (const Entity &accelerator = description.accelerator; !accelerator.type.empty()) {
+        ParamDict params = Params(accelerator, "accelerator", accelerator.type, description, log);
+        ReadAccelerator(accelerator.type, params);
+    }
 
     const NamedTextures textures = BuildTextures(description, scene->camera.RenderFromWorld(), log);
     scene->filtersTextures =

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <memory>
+#include <span>
+#include <string>
+#include <string_view>
 
 #include "pbrt/build/render_scene.h"
 
@@ -13,6 +16,19 @@ struct Overrides {
     float targetError = 0;  ///< RenderScene's
     int nThreads = 0;       ///< for building the acceleration structure; 0: all cores
 };
+
+/// What `Integrator` says.
+struct IntegratorChoice {
+    PathSettings path;
+    std::string lightSampler = "bvh";
+};
+/// Reports unknown types and unread parameters.
+IntegratorChoice ReadIntegrator(std::string_view type, ParamDict &params);
+std::span<const std::string_view> IntegratorNames();
+
+/// Embree chooses for itself: pbrt's hints are checked and have no effect.
+void ReadAccelerator(std::string_view type, ParamDict &params);
+std::span<const std::string_view> AcceleratorNames();
 
 /// Makes everything the description names. Mistakes go to the log; where there are any, nullptr is
 /// returned (after as many as possible have been found). The description is left without shapes and

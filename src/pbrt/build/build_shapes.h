@@ -23,6 +23,9 @@ struct MaterialTable {
 MaterialTable BuildMaterials(SceneDescription &description, const NamedTextures &textures,
                              RenderScene &scene, Diagnostics &log);
 
+/// Reads `alpha`, which every shape has.
+FloatTexture GetAlpha(ParamDict &params, const NamedTextures &textures);
+
 struct EmissiveShape {
     uint32_t geometry;
     std::shared_ptr<const Entity> areaLight;

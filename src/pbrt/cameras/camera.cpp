@@ -9,12 +9,18 @@ namespace {
 
 constexpr std::array<std::string_view, 2> kNames{"perspective", "orthographic"};
 constexpr FloatParam kFov{"fov", "deg", 90, 1e-3f, 179.9f, "field of view of the shorter axis"};
-constexpr FloatParam kLensRadius{"lensradius", "", 0, 0, kFarthest, "radius of the thin lens"};
+constexpr FloatParam kLensRadius{
+    "lensradius", "", 0, 0, kFarthest, "radius of the thin lens; 0: a pinhole"};
 constexpr FloatParam kFocalDistance{
     "focaldistance", "", 1e6f, kShortestVector, kLongestVector, "distance of the plane in focus"};
-constexpr FloatParam kAspect{"frameaspectratio", "", 1, 1e-6f, 1e6f, "width over height"};
-constexpr FloatParam kShutterOpen{"shutteropen", "", 0, -1e30f, 1e30f, "time"};
-constexpr FloatParam kShutterClose{"shutterclose", "", 1, -1e30f, 1e30f, "time"};
+constexpr FloatParam kAspect{
+    "frameaspectratio", "", 1, 1e-6f, 1e6f, "width over height; not given: the film's"};
+constexpr ArrayParam kScreenWindow{
+    "screenwindow", "float", "-1 to 1 along the shorter axis",
+    "xmin xmax ymin ymax of what is seen at distance 1 where fov is 90"};
+constexpr FloatParam kShutterOpen{"shutteropen", "s", 0, -1e30f, 1e30f, "when the shutter opens"};
+constexpr FloatParam kShutterClose{"shutterclose", "s",   1,
+                                   -1e30f,         1e30f, "when the shutter closes"};
 
 struct ScreenWindow {
     float x0, x1, y0, y1;
@@ -26,10 +32,10 @@ ScreenWindow ReadScreenWindow(ParamDict &params, Point2i resolution) {
     const float aspect = params.GetOneFloat(row);
     ScreenWindow w = aspect > 1 ? ScreenWindow{-aspect, aspect, -1, 1}
                                 : ScreenWindow{-1, 1, -1 / aspect, 1 / aspect};
-    const std::vector<float> given = params.GetFloatArray("screenwindow");
+    const std::vector<float> given = params.GetFloatArray(kScreenWindow);
     if (given.empty()) return w;
     if (given.size() != 4 || given[0] >= given[1] || given[2] >= given[3])
-        params.Error("screenwindow", "\"screenwindow\" needs four values: xmin xmax ymin ymax");
+        params.Error(kScreenWindow.name, "\"screenwindow\" needs four values: xmin xmax ymin ymax");
     else
         w = {given[0], given[1], given[2], given[3]};
     return w;
@@ -69,6 +75,15 @@ Camera Camera::Create(const SceneDescription &scene, Point2i resolution, Diagnos
     const std::string type = scene.camera.type.empty() ? "perspective" : scene.camera.type;
     ParamDict params(scene.camera.params, scene.camera.loc, fmt::format("camera \"{}\"", type),
                      scene.camera.colorSpace, &log, scene.dir);
+    return Create(type, params, scene, resolution);
+}
+
+std::span<const std::string_view> Camera::Names() {
+    return kNames;
+}
+
+Camera Camera::Create(std::string_view type, ParamDict &params, const SceneDescription &scene,
+                      Point2i resolution) {
     Camera c;
     const bool orthographic = type == kNames[1];
     if (!orthographic && type != kNames[0]) {
@@ -85,7 +100,7 @@ Camera Camera::Create(const SceneDescription &scene, Point2i resolution, Diagnos
     c.shutterOpen = params.GetOneFloat(kShutterOpen);
     c.shutterClose = params.GetOneFloat(kShutterClose);
     if (!(c.shutterClose > c.shutterOpen))
-        params.Error("shutterclose", "\"shutterclose\" must be later than \"shutteropen\"");
+        params.Error(kShutterClose.name, "\"shutterclose\" must be later than \"shutteropen\"");
     params.ReportUnused();
     const double start = scene.transformStart, duration = scene.transformEnd - start;
     const auto rayTime = [&](double t) {

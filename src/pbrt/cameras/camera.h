@@ -1,6 +1,8 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <string_view>
 
 #include "pbrt/scene/description.h"
 #include "pbrt/util/ray_packet.h"
@@ -17,6 +19,10 @@ class Camera {
   public:
     /// Errors go to the log; the camera is usable all the same. `resolution` of the full film.
     static Camera Create(const SceneDescription &scene, Point2i resolution, Diagnostics &log);
+    /// The same by its parameters; of the scene its transforms, times and options are read.
+    static Camera Create(std::string_view type, ParamDict &params, const SceneDescription &scene,
+                         Point2i resolution);
+    static std::span<const std::string_view> Names();
 
     /// `film` in pixels of the full picture, `lens` and `time` in [0, 1). d is unit. The ray's time
     /// runs from 0 at TransformTimes' start to 1 at its end and stays there before and after.

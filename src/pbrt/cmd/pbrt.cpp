@@ -14,6 +14,7 @@
 #include "pbrt/cli/options.h"
 #include "pbrt/cli/threads.h"
 #include "pbrt/cli/tool.h"
+#include "pbrt/reference/explain.h"
 #include "pbrt/render/mse_log.h"
 #include "pbrt/render/progress.h"
 #include "pbrt/render/statistics.h"
@@ -30,7 +31,7 @@ struct Arguments {
     std::vector<std::string> files;
     Overrides overrides;
     Options options;
-    std::string statsFile;
+    std::string statsFile, explain;
     bool stats = false, quiet = false;
 };
 
@@ -69,6 +70,9 @@ void DefineOptions(CLI::App &app, Arguments &a, std::vector<float> &crop, std::v
                    "file for lines \"spp, mean squared error\" at 1, 2, 4, ... samples per pixel");
     app.add_flag("--stats", a.stats, "print rays per second, memory and times");
     app.add_option("--stats-file", a.statsFile, "write the same as JSON to this file");
+    app.add_option("--explain", a.explain,
+                   "print the parameters of a plug-in, as of \"material hair\", or the names of a "
+                   "family, as \"material\"; all: everything as Markdown");
     app.add_flag("--quiet", a.quiet, "no progress, no warnings");
     app.footer(
         "examples:\n"
@@ -88,6 +92,12 @@ int PrintOut(std::string_view text) {
     return why ? Complain(*why) : kSuccess;
 }
 
+/// Prints what --explain asks for; the exit code.
+int Explain(const std::string &what) {
+    const reference::Explanation explanation = reference::Explain(what);
+    return explanation.error.empty() ? PrintOut(explanation.text) : Complain(explanation.error);
+}
+
 struct ParsedArguments {
     Arguments arguments;
     std::optional<int> exitCode;
@@ -103,6 +113,10 @@ ParsedArguments ParseArguments(cli::Args words) {
     DefineOptions(app, a, crop, bounds, pixel, spp);
     if (const auto end = cli::Parse(&app, words)) {
         result.exitCode = cli::Print(*end);
+        return result;
+    }
+    if (!a.explain.empty()) {
+        result.exitCode = Explain(a.explain);
         return result;
     }
     if (spp > 0) a.overrides.spp = spp;

@@ -12,11 +12,23 @@ namespace {
 constexpr std::string_view kRGB = "rgb";
 constexpr std::array<std::string_view, 3> kFilms{kRGB, GBuffer::kName, SpectralBuckets::kName};
 constexpr std::array<std::string_view, 1> kSensors{"cie1931"};
+constexpr IntParam kXResolution{"xresolution", 1280, 1, kMaxResolution, "pixels across"};
+constexpr IntParam kYResolution{"yresolution", 720, 1, kMaxResolution, "pixels down"};
+constexpr ArrayParam kPixelBounds{"pixelbounds", "integer", "all pixels",
+                                  "x0 x1 y0 y1: render these pixels only"};
+constexpr ArrayParam kCropWindow{
+    "cropwindow", "float", "the whole picture",
+    "x0 x1 y0 y1 in [0, 1]: render this part only; outranks pixelbounds"};
+constexpr StringParam kFileName{"filename", "pbrt.exr", "the picture to write: .exr, .png or .pfm"};
+constexpr BoolParam kSaveFp16{"savefp16", true, "16-bit floats in .exr files, else 32-bit ones"};
+constexpr ChoiceParam kSensor{"sensor", kSensors[0], kSensors, "what colors are seen by"};
 constexpr FloatParam kIso{"iso", "", 100, 1e-6f, 1e9f, "sensor speed"};
-constexpr FloatParam kMaxComponent{"maxcomponentvalue",        "", Infinity, 0, Infinity,
-                                   "largest value of a sample"};
-constexpr FloatParam kWhiteBalance{"whitebalance", "K", 0, 0, 25000, "0: none"};
-constexpr FloatParam kDiagonal{"diagonal", "mm", 35, 1e-6f, 1e6f, "of the film"};
+constexpr FloatParam kMaxComponent{
+    "maxcomponentvalue", "", Infinity, 0, Infinity, "larger samples are scaled down to it"};
+constexpr FloatParam kWhiteBalance{
+    "whitebalance", "K", 0, 0, 25000, "color temperature that becomes white, from 4000; 0: none"};
+constexpr FloatParam kDiagonal{"diagonal", "mm", 35,
+                               1e-6f,      1e6f, "no effect: concerns realistic cameras only"};
 
 PixelBounds Crop(Point2i full, const std::array<float, 4> &c) {
     const auto edge = [](float f, int n) {
@@ -27,8 +39,8 @@ PixelBounds Crop(Point2i full, const std::array<float, 4> &c) {
 
 PixelBounds ReadBounds(ParamDict &params, const FilmOverrides &overrides, Point2i full) {
     PixelBounds bounds{0, full.x, 0, full.y};
-    const std::vector<int> given = params.GetIntArray("pixelbounds");
-    std::vector<float> crop = params.GetFloatArray("cropwindow");
+    const std::vector<int> given = params.GetIntArray(kPixelBounds);
+    std::vector<float> crop = params.GetFloatArray(kCropWindow);
     const auto clip = [&](const auto &b) {
         return PixelBounds{std::clamp(b[0], 0, full.x), std::clamp(b[1], 0, full.x),
                            std::clamp(b[2], 0, full.y), std::clamp(b[3], 0, full.y)};
@@ -55,7 +67,7 @@ PixelBounds ReadBounds(ParamDict &params, const FilmOverrides &overrides, Point2
 }
 
 std::string ReadFileName(ParamDict &params, const FilmOverrides &overrides, bool manyChannels) {
-    const std::string written = params.GetOneString("filename", "pbrt.exr");
+    const std::string written = params.GetOneString(kFileName);
     const bool overridden = !overrides.outfile.empty();
     const std::string &name = overridden ? overrides.outfile : written;
     const auto refuse = [&](const std::string &why) {
@@ -97,13 +109,20 @@ Film Film::Create(const SceneDescription &scene, const FilmOverrides &overrides,
     const std::string type = scene.film.type.empty() ? std::string(kRGB) : scene.film.type;
     ParamDict params(scene.film.params, scene.film.loc, fmt::format("film \"{}\"", type),
                      scene.film.colorSpace, &log, scene.dir);
+    return Create(type, params, overrides);
+}
+
+std::span<const std::string_view> Film::Names() {
+    return kFilms;
+}
+
+Film Film::Create(std::string_view type, ParamDict &params, const FilmOverrides &overrides) {
     Film film;
     if (std::find(kFilms.begin(), kFilms.end(), type) == kFilms.end()) {
         params.Error(UnknownName("film", type, kFilms));
         return film;
     }
-    Point2i full{params.GetOneInt("xresolution", 1280, 1, kMaxResolution),
-                 params.GetOneInt("yresolution", 720, 1, kMaxResolution)};
+    Point2i full{params.GetOneInt(kXResolution), params.GetOneInt(kYResolution)};
     if (overrides.quick) full = {std::max(1, full.x / 4), std::max(1, full.y / 4)};
     film.fullResolution = full;
     film.bounds = ReadBounds(params, overrides, full);
@@ -111,12 +130,12 @@ Film Film::Create(const SceneDescription &scene, const FilmOverrides &overrides,
     if (type == SpectralBuckets::kName) film.aovs = SpectralBuckets::Create(params);
     film.aovChannels = film.AOVNames();
     film.fileName = ReadFileName(params, overrides, !film.aovChannels.empty());
-    film.colorSpace = scene.film.colorSpace;
+    film.colorSpace = &params.ColorSpace();
     film.iso = params.GetOneFloat(kIso);
     film.maxComponentValue = params.GetOneFloat(kMaxComponent);
-    film.format = params.GetOneBool("savefp16", true) ? ExrPixels::Half : ExrPixels::Float;
-    params.GetOneFloat(kDiagonal);  // concerns realistic cameras only
-    params.GetOneChoice("sensor", "cie1931", kSensors);
+    film.format = params.GetOneBool(kSaveFp16) ? ExrPixels::Half : ExrPixels::Float;
+    params.GetOneFloat(kDiagonal);
+    params.GetOneChoice(kSensor);
     const float white = params.GetOneFloat(kWhiteBalance);
     if (white != 0 && white < 4000)
         params.Error("whitebalance", "\"whitebalance\" must be 0 or from 4000 to 25000 K");

@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -39,6 +41,9 @@ class Film {
   public:
     static Film Create(const SceneDescription &scene, const FilmOverrides &overrides,
                        Diagnostics &log);
+    /// The same by its parameters.
+    static Film Create(std::string_view type, ParamDict &params, const FilmOverrides &overrides);
+    static std::span<const std::string_view> Names();
 
     /// Shutter time in seconds: the imaging ratio is seconds * iso / 100.
     void SetExposure(float seconds) { imagingRatio = seconds * iso / 100; }

@@ -6,6 +6,8 @@ namespace pbrt {
 namespace {
 
 constexpr std::array<std::string_view, 2> kSpaces{"camera", "world"};
+constexpr ChoiceParam kCoordinateSystem{"coordinatesystem", kSpaces[0], kSpaces,
+                                        "space of positions and normals"};
 
 // Places in Sums::surface.
 enum { Albedo = 0, P = 3, Slope = 6, N = 8, Ns = 11, UV = 14 };
@@ -14,7 +16,7 @@ enum { Albedo = 0, P = 3, Slope = 6, N = 8, Ns = 11, UV = 14 };
 
 GBuffer GBuffer::Create(ParamDict &params) {
     GBuffer g;
-    g.inWorld = params.GetOneChoice("coordinatesystem", "camera", kSpaces) == 1;
+    g.inWorld = params.GetOneChoice(kCoordinateSystem) == 1;
     return g;
 }
 

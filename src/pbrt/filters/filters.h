@@ -19,15 +19,16 @@ class SeparableFilter {
   public:
     static constexpr std::string_view kName = Profile::kName;
     using Shape = typename Profile::Shape;
+    static constexpr FloatParam kXRadius{"xradius", "pixels", Profile::kRadius,
+                                         1e-3f,     1e3f,     "half width"};
+    static constexpr FloatParam kYRadius{"yradius", "pixels", Profile::kRadius,
+                                         1e-3f,     1e3f,     "half height"};
 
     explicit SeparableFilter(Vector2f radius = {Profile::kRadius, Profile::kRadius},
                              Shape shape = {})
         : x(radius.x, shape), y(radius.y, shape), drawX(Drawing(x)), drawY(Drawing(y)) {}
     static SeparableFilter Create(ParamDict &params) {
-        const float rx =
-            params.GetOneFloat({"xradius", "pixels", Profile::kRadius, 1e-3f, 1e3f, "half width"});
-        const float ry =
-            params.GetOneFloat({"yradius", "pixels", Profile::kRadius, 1e-3f, 1e3f, "half height"});
+        const float rx = params.GetOneFloat(kXRadius), ry = params.GetOneFloat(kYRadius);
         return SeparableFilter({rx, ry}, Profile::Read(params));
     }
 

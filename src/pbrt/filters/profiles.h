@@ -44,12 +44,11 @@ struct TriangleProfile {
 struct GaussianProfile {
     static constexpr std::string_view kName = "gaussian";
     static constexpr float kRadius = 1.5f;
+    static constexpr FloatParam kSigma{"sigma", "pixels", 0.5f, 1e-3f, 1e3f, "standard deviation"};
     struct Shape {
         float sigma = 0.5f;
     };
-    static Shape Read(ParamDict &params) {
-        return {params.GetOneFloat({"sigma", "pixels", 0.5f, 1e-3f, 1e3f, "standard deviation"})};
-    }
+    static Shape Read(ParamDict &params) { return {params.GetOneFloat(kSigma)}; }
 
     GaussianProfile(float radius, Shape shape)
         : radius(radius), sigma(shape.sigma), atRadius(Normal(radius)) {}
@@ -70,12 +69,14 @@ struct GaussianProfile {
 struct MitchellProfile {
     static constexpr std::string_view kName = "mitchell";
     static constexpr float kRadius = 2;
+    static constexpr FloatParam kB{"B", "", 1.f / 3, -10, 10, "blur"};
+    static constexpr FloatParam kC{"C", "", 1.f / 3, -10, 10, "ringing"};
     struct Shape {
         float b = 1.f / 3, c = 1.f / 3;
     };
     static Shape Read(ParamDict &params) {
-        return {params.GetOneFloat({"B", "", 1.f / 3, -10, 10, "blur"}),
-                params.GetOneFloat({"C", "", 1.f / 3, -10, 10, "ringing"})};
+        const float b = params.GetOneFloat(kB);
+        return {b, params.GetOneFloat(kC)};
     }
 
     MitchellProfile(float radius, Shape shape) : radius(radius), b(shape.b), c(shape.c) {}
@@ -97,12 +98,11 @@ struct MitchellProfile {
 struct SincProfile {
     static constexpr std::string_view kName = "sinc";
     static constexpr float kRadius = 4;
+    static constexpr FloatParam kTau{"tau", "pixels", 3, 1e-2f, 1e3f, "first zero of the window"};
     struct Shape {
         float tau = 3;
     };
-    static Shape Read(ParamDict &params) {
-        return {params.GetOneFloat({"tau", "pixels", 3, 1e-2f, 1e3f, "first zero of the window"})};
-    }
+    static Shape Read(ParamDict &params) { return {params.GetOneFloat(kTau)}; }
 
     SincProfile(float radius, Shape shape) : radius(radius), tau(shape.tau) {}
     float operator()(float x) const { return std::abs(x) > radius ? 0 : Sinc(x) * Sinc(x / tau); }

@@ -113,19 +113,11 @@ std::span<const std::string_view> TextureClassNames();
 /// `"texture name"`, or `"float name"`, else the default. A constant outside [row.lo, row.hi] is an
 /// error; looked-up values are not checked here.
 FloatTexture GetFloatTexture(ParamDict &params, const NamedTextures &named, const FloatParam &row);
-/// Without range and with a plain default.
-FloatTexture GetFloatTexture(ParamDict &params, const NamedTextures &named, std::string_view name,
-                             float def);
-/// nullopt where the parameter was not given as float or texture.
-std::optional<FloatTexture> FindFloatTexture(ParamDict &params, const NamedTextures &named,
-                                             std::string_view name);
 /// `"texture name"`, or rgb, spectrum, blackbody; nullopt where not given.
 std::optional<SpectrumTexture> FindSpectrumTexture(ParamDict &params, const NamedTextures &named,
-                                                   std::string_view name, SpectrumType role);
-inline SpectrumTexture GetSpectrumTexture(ParamDict &params, const NamedTextures &named,
-                                          std::string_view name, const Spectrum &def,
-                                          SpectrumType role) {
-    return FindSpectrumTexture(params, named, name, role).value_or(SpectrumTexture(def));
-}
+                                                   const SpectrumParam &row);
+/// The same; the row's default where not given.
+SpectrumTexture GetSpectrumTexture(ParamDict &params, const NamedTextures &named,
+                                   const SpectrumParam &row);
 
 }  // namespace pbrt

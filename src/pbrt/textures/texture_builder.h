@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 
 #include "pbrt/textures/texture.h"
 #include "pbrt/util/transform.h"
@@ -22,11 +23,9 @@ struct TextureBuilder {
     Transform textureFromRender;
     bool readsUV = false;  ///< set where the texture looks at the surface's uv
 
-    FloatTexture Float(std::string_view name, float def) {
-        return GetFloatTexture(params, named, name, def);
-    }
-    /// The parameter in every role; `def` where not given.
-    SpectrumByRole Spectra(std::string_view name, float def);
+    FloatTexture Float(const FloatParam &row) { return GetFloatTexture(params, named, row); }
+    /// The parameter in every role (the row's is not looked at); the row's default where not given.
+    SpectrumByRole Spectra(SpectrumParam row);
 };
 
 /// A texture class as the scene language knows it. New classes: a header with a struct of these
@@ -36,5 +35,6 @@ struct TextureClass {
     FloatTexture (*createFloat)(TextureBuilder &);
     SpectrumByRole (*createSpectrum)(TextureBuilder &);
 };
+std::span<const TextureClass> TextureClasses();
 
 }  // namespace pbrt

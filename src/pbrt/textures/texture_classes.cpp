@@ -81,6 +81,10 @@ std::span<const std::string_view> TextureClassNames() {
     return kNames;
 }
 
+std::span<const TextureClass> TextureClasses() {
+    return kClasses;
+}
+
 NamedTextures BuildTextures(const SceneDescription &scene, const Transform &renderFromWorld,
                             Diagnostics &log) {
     NamedTextures named;
