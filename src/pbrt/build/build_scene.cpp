@@ -14,19 +14,13 @@ ParamDict Params(const Entity &entity, std::string_view kind, std::string_view t
                      entity.colorSpace, &log, description.dir);
 }
 
-constexpr std::array<std::string_view, 2> kIntegrators{"volpath", "path"};
 constexpr std::array<std::string_view, 1> kAccelerators{"bvh"};
 constexpr std::array<std::string_view, 4> kSplitMethods{"sah", "middle", "equal", "hlbvh"};
-constexpr IntParam kMaxDepth{"maxdepth", 5, 0, 1 << 20, "longest path: scattering events"};
-constexpr BoolParam kRegularize{"regularize", false,
-                                "rougher surfaces after a path's first rough one"};
-constexpr ChoiceParam kLightSampler{"lightsampler", kLightSamplerNames[0], kLightSamplerNames,
-                                    "how one light of many is chosen"};
 constexpr ChoiceParam kSplitMethod{"splitmethod", kSplitMethods[0], kSplitMethods,
                                    "no effect: Embree chooses"};
 constexpr IntParam kMaxNodePrims{"maxnodeprims", 4, 1, 255, "no effect: Embree chooses"};
 
-void ReadSampling(const SceneDescription &description, const Overrides &overrides,
+void ReadSampling(const SceneDescription &description, const SceneOverrides &overrides,
                   RenderScene &scene, Diagnostics &log) {
     const std::string filterType =
         description.filter.type.empty() ? "gaussian" : description.filter.type;
@@ -40,7 +34,6 @@ void ReadSampling(const SceneDescription &description, const Overrides &override
     if (const auto sampler =
             CreateSampler(params, type, spp, description.options.seed, scene.film.FullResolution()))
         scene.sampler = *sampler;
-    scene.targetError = overrides.targetError;
 }
 
 /// Two triangles that make a parallelogram, as one patch: one light is chosen and sampled better
@@ -51,8 +44,8 @@ std::optional<Shape> MergedEmitter(const Geometry &geometry, ParamDict &params) 
     return AsParallelogram(*mesh);
 }
 
-void BuildLights(const SceneDescription &description, const std::string &lightSampler,
-                 const std::vector<EmissiveShape> &emitters, RenderScene &scene, Diagnostics &log) {
+void BuildLights(const SceneDescription &description, const std::vector<EmissiveShape> &emitters,
+                 RenderScene &scene, Diagnostics &log) {
     const Transform &renderFromWorld = scene.camera.RenderFromWorld();
     for (const LightEntity &entity : description.lights) {
         ParamDict params = Params(entity, "light", entity.type, description, log);
@@ -80,31 +73,12 @@ void BuildLights(const SceneDescription &description, const std::string &lightSa
         Preprocess(scene.lights[i], bounds);
         if (IsInfinite(scene.lights[i])) scene.infiniteLights.push_back(int(i));
     }
-    scene.lightSampler = LightSampler::Create(lightSampler, scene.lights);
-    if (scene.lights.empty() && !log.HasErrors())
-        log.Warning({}, "no light sources in the scene: the picture is black");
 }
 
 }  // namespace
 
-std::span<const std::string_view> IntegratorNames() {
-    return kIntegrators;
-}
 std::span<const std::string_view> AcceleratorNames() {
     return kAccelerators;
-}
-
-IntegratorChoice ReadIntegrator(std::string_view type, ParamDict &params) {
-    IntegratorChoice choice;
-    if (std::find(kIntegrators.begin(), kIntegrators.end(), type) == kIntegrators.end()) {
-        params.Error(UnknownName("integrator", type, kIntegrators));
-        return choice;
-    }
-    choice.path.maxDepth = params.GetOneInt(kMaxDepth);
-    choice.path.regularize = params.GetOneBool(kRegularize);
-    choice.lightSampler = kLightSamplerNames[size_t(params.GetOneChoice(kLightSampler))];
-    params.ReportUnused();
-    return choice;
 }
 
 void ReadAccelerator(std::string_view type, ParamDict &params) {
@@ -117,8 +91,8 @@ void ReadAccelerator(std::string_view type, ParamDict &params) {
     params.ReportUnused();
 }
 
-std::unique_ptr<RenderScene> BuildScene(SceneDescription &description, const Overrides &overrides,
-                                        Diagnostics &log) {
+std::unique_ptr<RenderScene> BuildScene(SceneDescription &description,
+                                        const SceneOverrides &overrides, Diagnostics &log) {
     auto scene = std::make_unique<RenderScene>();
     scene->options = description.options;
     scene->film = Film::Create(description, overrides.film, log);
@@ -127,12 +101,6 @@ std::unique_ptr<RenderScene> BuildScene(SceneDescription &description, const Ove
                           scene->camera.RenderFromWorld().Inverse());
     scene->film.SetExposure(scene->camera.ShutterClose() - scene->camera.ShutterOpen());
     ReadSampling(description, overrides, *scene, log);
-    const std::string type =
-        description.integrator.type.empty() ? "volpath" : description.integrator.type;
-    ParamDict integratorParams =
-        Params(description.integrator, "integrator", type, description, log);
-    const IntegratorChoice integrator = ReadIntegrator(type, integratorParams);
-    scene->path = integrator.path;
     if (const Entity &accelerator = description.accelerator; !accelerator.type.empty()) {
         ParamDict params = Params(accelerator, "accelerator", accelerator.type, description, log);
         ReadAccelerator(accelerator.type, params);
@@ -154,7 +122,7 @@ std::unique_ptr<RenderScene> BuildScene(SceneDescription &description, const Ove
         log.Error({}, scene->accel->Error());
         return nullptr;
     }
-    BuildLights(description, integrator.lightSampler, shapes.emitters, *scene, log);
+    BuildLights(description, shapes.emitters, *scene, log);
     CheckRaysInInstances(*scene, shapes.instances, log);
     if (log.HasErrors()) return nullptr;
     return scene;

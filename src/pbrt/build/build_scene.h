@@ -2,7 +2,6 @@
 
 #include <memory>
 #include <span>
-#include <string>
 #include <string_view>
 
 #include "pbrt/build/render_scene.h"
@@ -10,21 +9,11 @@
 namespace pbrt {
 
 /// What the command line overrides of a scene.
-struct Overrides {
+struct SceneOverrides {
     FilmOverrides film;
     std::optional<int> spp;
-    float targetError = 0;  ///< RenderScene's
-    int nThreads = 0;       ///< for building the acceleration structure; 0: all cores
+    int nThreads = 0;  ///< for building the acceleration structure; 0: all cores
 };
-
-/// What `Integrator` says.
-struct IntegratorChoice {
-    PathSettings path;
-    std::string lightSampler = "bvh";
-};
-/// Reports unknown types and unread parameters.
-IntegratorChoice ReadIntegrator(std::string_view type, ParamDict &params);
-std::span<const std::string_view> IntegratorNames();
 
 /// Embree chooses for itself: pbrt's hints are checked and have no effect.
 void ReadAccelerator(std::string_view type, ParamDict &params);
@@ -33,7 +22,7 @@ std::span<const std::string_view> AcceleratorNames();
 /// Makes everything the description names. Mistakes go to the log; where there are any, nullptr is
 /// returned (after as many as possible have been found). The description is left without shapes and
 /// unnamed materials, which are let go as they are built.
-std::unique_ptr<RenderScene> BuildScene(SceneDescription &description, const Overrides &overrides,
-                                        Diagnostics &log);
+std::unique_ptr<RenderScene> BuildScene(SceneDescription &description,
+                                        const SceneOverrides &overrides, Diagnostics &log);
 
 }  // namespace pbrt

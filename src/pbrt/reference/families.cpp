@@ -7,6 +7,7 @@
 
 #include "pbrt/build/build_scene.h"
 #include "pbrt/build/build_shapes.h"
+#include "pbrt/integrators/integrators.h"
 #include "pbrt/textures/texture_builder.h"
 
 namespace pbrt::reference {
@@ -52,7 +53,7 @@ void CreateTexture(std::string_view type, ParamDict &params, bool isFloat) {
 }
 
 constexpr std::array kFamilies{
-    Family{"film", "Film", [] { return From(Film::Names()); },
+    Family{"film", "Film", [] { return From(FilmTypes::kNames); },
            [](std::string_view type, ParamDict &params) { Film::Create(type, params, {}); }},
     Family{"camera", "Camera", [] { return From(Camera::Names()); },
            [](std::string_view type, ParamDict &params) {
@@ -64,8 +65,8 @@ constexpr std::array kFamilies{
            }},
     Family{"filter", "PixelFilter", [] { return From(FilterTypes::kNames); },
            [](std::string_view type, ParamDict &params) { CreateFilter(params, type); }},
-    Family{"integrator", "Integrator", [] { return From(IntegratorNames()); },
-           [](std::string_view type, ParamDict &params) { ReadIntegrator(type, params); }},
+    Family{"integrator", "Integrator", [] { return IntegratorNames(); },
+           [](std::string_view type, ParamDict &params) { CreateIntegrator(type, params); }},
     Family{"accelerator", "Accelerator", [] { return From(AcceleratorNames()); },
            [](std::string_view type, ParamDict &params) { ReadAccelerator(type, params); }},
     Family{"shape", "Shape", [] { return From(ShapeNames()); }, CreateNamedShape},
