@@ -27,7 +27,7 @@ inline constexpr FloatParam kLightIlluminance{
     -1,
     -1,
     kOpen,
-    "illuminance to give a surface that faces the light; not above 0: as spectrum and scale say"};
+    "of a surface that faces the light; not above 0: as the spectrum and scale say"};
 
 /// The spectrum of `row` (default: the colour space's illuminant), as a table but for `rgb`,
 /// divided by the CIE-Y integral: of the illuminant for `rgb`, else of the spectrum itself. A
