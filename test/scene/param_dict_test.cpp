@@ -132,8 +132,8 @@ TEST(ParamDict, RangesAreClosedAndNameTheUnit) {
     EXPECT_EQ(none->GetOneFloat({"width", "", 1, kAboveZero, kOpen, ""}), 1);
     EXPECT_EQ(none->GetOneFloat({"width", "deg", 1, kAboveZero, 360, ""}), 1);
     EXPECT_EQ(none.Messages(),
-              (Texts{R"(test.pbrt:3:13: "float width": 0 is not more than 0)",
-                     R"(test.pbrt:3:13: "float width": 0 is outside (0, 360] deg)"}));
+              (Texts{R"(test.pbrt:3:15: "float width": 0 is not more than 0)",
+                     R"(test.pbrt:3:15: "float width": 0 is outside (0, 360] deg)"}));
     Dict outside(R"("float fov" 200 "float radius" -0.5 "float gain" 3 "integer n" 0)");
     EXPECT_EQ(outside->GetOneFloat(kFov), 90);
     EXPECT_EQ(outside->GetOneFloat(kRadius), 1);
