@@ -17,8 +17,8 @@ ParamDict Params(const Entity &entity, std::string_view kind, std::string_view t
 constexpr std::array<std::string_view, 1> kAccelerators{"bvh"};
 constexpr std::array<std::string_view, 4> kSplitMethods{"sah", "middle", "equal", "hlbvh"};
 constexpr ChoiceParam kSplitMethod{"splitmethod", kSplitMethods[0], kSplitMethods,
-                                   "no effect: Embree chooses"};
-constexpr IntParam kMaxNodePrims{"maxnodeprims", 4, 1, 255, "no effect: Embree chooses"};
+                                   "no effect: the ray tracer chooses"};
+constexpr IntParam kMaxNodePrims{"maxnodeprims", 4, 1, 255, "no effect: the ray tracer chooses"};
 
 void ReadSampling(const SceneDescription &description, const SceneOverrides &overrides,
                   RenderScene &scene, Diagnostics &log) {

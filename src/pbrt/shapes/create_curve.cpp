@@ -19,7 +19,8 @@ constexpr ChoiceParam kType{"type", kTypes[0], kTypes,
                             "flat and cylinder turn to the ray; ribbons lie as N says"};
 constexpr ChoiceParam kBasis{"basis", kBases[0], kBases, "what the control points are of"};
 constexpr IntParam kDegree{"degree", 3, 2, 3, "of the polynomials"};
-constexpr IntParam kSplitDepth{"splitdepth", 3, 0, 10, "no effect: Embree splits as it sees fit"};
+constexpr IntParam kSplitDepth{"splitdepth", 3, 0, 10,
+                               "no effect: the ray tracer splits as it sees fit"};
 constexpr ArrayParam kP{"P", "point3", "an error", "control points"};
 constexpr ArrayParam kN{"N", "normal", "none",
                         "ribbons only: normals where the segments begin and end"};
