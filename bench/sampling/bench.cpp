@@ -35,12 +35,11 @@ std::unique_ptr<RenderScene> Load(const char *fileName, int spp, int seed) {
 }
 
 /// On this thread.
-template <typename Scattering>
-void RenderAlone(RenderScene &world) {
+void RenderAlone(RenderScene &world, std::span<const ShadeGroup> groups) {
     RayCounts rays;
     std::visit(
         [&]<typename SamplerT>(const SamplerT &sampler) {
-            const auto tracer = std::make_unique<BatchTracer<SamplerT, Scattering>>(world, sampler);
+            const auto tracer = std::make_unique<BatchTracer<SamplerT>>(world, sampler, groups);
             RenderPixels(world, PixelsAlongCurve(world.film.Bounds()), sampler.SamplesPerPixel(),
                          *tracer, rays, [] { return true; });
         },
@@ -66,14 +65,13 @@ double RelativeError(const std::vector<double> &values, const std::vector<double
     return std::sqrt(squares / values.size()) / (sum / values.size());
 }
 
-template <typename Scattering>
 void Measure(const char *fileName, const char *way, LightStrategy strategy,
-             const std::vector<double> &reference) {
+             std::span<const ShadeGroup> groups, const std::vector<double> &reference) {
     for (int spp = 1; spp <= kMostSamples; spp *= 4) {
         const auto world = Load(fileName, spp, 0);
         world->path.strategy = strategy;
         const double start = ThreadSeconds();
-        RenderAlone<Scattering>(*world);
+        RenderAlone(*world, groups);
         const double seconds = ThreadSeconds() - start;
         std::printf("%s,%d,%.4g,%.4g\n", way, spp, seconds,
                     RelativeError(Values(*world), reference));
@@ -86,9 +84,10 @@ void Run(const char *fileName, int referenceSamples) {
     Render(*world, 0, [](int64_t, int64_t) { return true; });
     const std::vector<double> reference = Values(*world);
     std::printf("way,spp,seconds,rms_error\n");
-    Measure<DefaultScattering>(fileName, "model", LightStrategy::Both, reference);
-    Measure<FeathersByCosine>(fileName, "cosine lobe", LightStrategy::Both, reference);
-    Measure<DefaultScattering>(fileName, "lights only", LightStrategy::LightsOnly, reference);
+    static constexpr auto byCosine = ShadeGroupsOf<FeathersByCosine>();
+    Measure(fileName, "model", LightStrategy::Both, ShadeGroups(), reference);
+    Measure(fileName, "cosine lobe", LightStrategy::Both, byCosine, reference);
+    Measure(fileName, "lights only", LightStrategy::LightsOnly, ShadeGroups(), reference);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "pbrt/bxdfs/bxdf.h"
+#include "pbrt/base/bxdf.h"
 #include "pbrt/util/rng.h"
 #include "pbrt/util/sampling.h"
 

@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "feather/model.h"
-#include "pbrt/bxdfs/conductor.h"
-#include "pbrt/bxdfs/feather_packet.h"
-#include "pbrt/bxdfs/hair.h"
+#include "pbrt/bxdfs/conductor_bxdf.h"
+#include "pbrt/bxdfs/feather_barbule_packet.h"
+#include "pbrt/bxdfs/hair_bxdf.h"
 #include "pbrt/util/rng.h"
 
 namespace pbrt {

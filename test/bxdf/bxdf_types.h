@@ -4,13 +4,13 @@
 
 #include "bxdf/bxdf_case.h"
 #include "feather/model.h"
-#include "pbrt/bxdfs/coated_diffuse.h"
-#include "pbrt/bxdfs/conductor.h"
-#include "pbrt/bxdfs/dielectric.h"
-#include "pbrt/bxdfs/diffuse.h"
-#include "pbrt/bxdfs/diffuse_transmission.h"
-#include "pbrt/bxdfs/feather_barbule.h"
-#include "pbrt/bxdfs/hair.h"
+#include "pbrt/bxdfs/coated_diffuse_bxdf.h"
+#include "pbrt/bxdfs/conductor_bxdf.h"
+#include "pbrt/bxdfs/dielectric_bxdf.h"
+#include "pbrt/bxdfs/diffuse_bxdf.h"
+#include "pbrt/bxdfs/diffuse_transmission_bxdf.h"
+#include "pbrt/bxdfs/feather_barbule_bxdf.h"
+#include "pbrt/bxdfs/hair_bxdf.h"
 
 namespace pbrt::test {
 

@@ -1,7 +1,7 @@
 // The lists of materials and of tested BxDFs belong together.
 
 #include "bxdf/bxdf_types.h"
-#include "pbrt/materials/material.h"
+#include "pbrt/materials/materials.h"
 
 namespace pbrt {
 namespace {

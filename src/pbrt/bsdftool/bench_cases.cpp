@@ -4,8 +4,8 @@
 
 #include "pbrt/bsdftool/bench_model.h"
 #include "pbrt/bsdftool/spectral_bsdf.h"
-#include "pbrt/bxdfs/feather_packet.h"
-#include "pbrt/bxdfs/hair.h"
+#include "pbrt/bxdfs/feather_barbule_packet.h"
+#include "pbrt/bxdfs/hair_bxdf.h"
 
 namespace pbrt::bsdftool {
 namespace {
@@ -20,11 +20,11 @@ FloatX16 AverageOf(const std::array<SampledSpectrum, kPacketSize> &spectra) {
     return average;
 }
 
-BxDFPacket<FeatherSurface> SixteenAlike(const FeatherBarbuleMaterial &material) {
-    BxDFPacket<FeatherSurface> lanes;
+BxDFPacket<FeatherBarbuleBxDF> SixteenAlike(const FeatherBarbuleMaterial &material) {
+    BxDFPacket<FeatherBarbuleBxDF> lanes;
     const SampledWavelengths lambda = SampledWavelengths::Of(kBenchLambda);
     for (int i = 0; i < kPacketSize; ++i)
-        lanes.Set(i, material.GetSurface(MiddleOfTexture(), lambda));
+        lanes.Set(i, material.GetPacketInput(MiddleOfTexture(), lambda));
     return lanes;
 }
 
@@ -62,7 +62,7 @@ BenchCase CaseOf(const std::string &name, const Material &material) {
 
 EvaluatedLobes EvaluatePacket(const FeatherBarbuleMaterial &material,
                               const std::vector<BenchInput> &pairs) {
-    BxDFPacket<FeatherSurface> lanes = SixteenAlike(material);
+    BxDFPacket<FeatherBarbuleBxDF> lanes = SixteenAlike(material);
     EvaluatedLobes parts;
     size_t left = pairs.size();
     for (const WideBenchInput &in : PackInputs(pairs)) {
@@ -81,7 +81,7 @@ EvaluatedLobes EvaluatePacket(const FeatherBarbuleMaterial &material,
 }
 
 BenchCase SideBySideCase(const FeatherBarbuleMaterial &material) {
-    BxDFPacket<FeatherSurface> lanes = SixteenAlike(material);
+    BxDFPacket<FeatherBarbuleBxDF> lanes = SixteenAlike(material);
     BenchCase c;
     c.row.name = "featherbarbule, by 16";
     c.timers.push_back({&BenchRow::f, WidePass([lanes](const WideBenchInput &in) mutable {

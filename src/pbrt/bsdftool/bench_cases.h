@@ -1,7 +1,7 @@
 #pragma once
 
 #include "pbrt/bsdftool/timing.h"
-#include "pbrt/materials/material.h"
+#include "pbrt/materials/materials.h"
 
 namespace pbrt::bsdftool {
 

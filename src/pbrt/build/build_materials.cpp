@@ -3,6 +3,7 @@
 #include <unordered_map>
 
 #include "pbrt/build/build_shapes.h"
+#include "pbrt/materials/materials.h"
 
 namespace pbrt {
 namespace {
@@ -50,10 +51,9 @@ class MaterialMaker {
     MaterialId AddSingle(std::string_view type, ParamDict &params) {
         std::optional<Material> material = CreateMaterial(type, params, textures);
         if (!material) return kMissingMaterialId;
-        const MaterialId id = int(scene.materials.size());
-        if (const std::string_view laid = LaidByUV(*material); !laid.empty())
+        const MaterialId id = scene.materials.Add(std::move(*material));
+        if (const std::string_view laid = scene.materials.LaidByUV(size_t(id)); !laid.empty())
             table.laidByUV.emplace(id, laid);
-        scene.materials.push_back(std::move(*material));
         return id;
     }
 
@@ -100,8 +100,8 @@ MaterialTable BuildMaterials(SceneDescription &description, const NamedTextures 
     MaterialTable table;
     MaterialMaker maker(description, textures, scene, table, log);
     // Growing, they would be there twice; room that is not used costs no memory.
-    scene.materials.reserve(1 + description.namedMaterials.size() + description.materials.size());
-    scene.materials.push_back(DiffuseMaterial{});
+    scene.materials.Reserve(1 + description.namedMaterials.size() + description.materials.size());
+    scene.materials.Add(DiffuseMaterial{});
     for (const NamedMaterialEntity &entity : description.namedMaterials)
         table.named[entity.name] = maker.Add(entity);
     EqualMaterials equals;

@@ -142,8 +142,8 @@ Image Finished(const RenderScene &world, const RenderStats &stats) {
     image.metadata.renderTimeSeconds = float(stats.seconds);
     // The mean where --target-error stops tiles.
     image.metadata.samplesPerPixel = int(stats.cameraSamples / world.film.Bounds().Area());
-    image.metadata.cameraFromWorld = world.camera.CameraFromWorld().Matrix();
-    image.metadata.ndcFromWorld = world.camera.NDCFromWorld().Matrix();
+    image.metadata.cameraFromWorld = Placement(world.camera).cameraFromWorld.Matrix();
+    image.metadata.ndcFromWorld = NDCFromWorld(world.camera).Matrix();
     return image;
 }
 
@@ -151,8 +151,8 @@ void PrintRemarks(const RenderScene &world) {
     const auto print = [](const std::string &remarks) {
         if (!remarks.empty()) Say(fmt::format("Warning: {}\n", remarks));
     };
-    for (const Material &m : world.materials)
-        print(Warnings(m));
+    for (const std::string &text : world.materials.Warnings())
+        print(text);
     for (const MixMaterial &m : world.mixes)
         print(m.Warnings());
 }

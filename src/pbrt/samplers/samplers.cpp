@@ -8,15 +8,6 @@ namespace {
 constexpr int kMaxStrata = 1 << 10;
 constexpr int kMaxZSobolResolution = 1 << 16;
 
-int ReadSamples(ParamDict &params, int def, const SamplerContext &context) {
-    const int written = params.GetOneInt("pixelsamples", def, 1, kMaxSamplesPerPixel);
-    return context.spp.value_or(written);
-}
-
-int ReadSeed(ParamDict &params, const SamplerContext &context) {
-    return params.GetOneInt("seed", context.seed);
-}
-
 /// The two factors of n that are nearest to each other, the larger first.
 Point2i NearlySquare(int n) {
     int small = int(std::sqrt(float(n)));

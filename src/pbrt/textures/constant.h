@@ -7,6 +7,7 @@ namespace pbrt {
 /// The same `value` everywhere. Leaves no node behind.
 struct ConstantTexture {
     static constexpr std::string_view kName = "constant";
+    static constexpr std::array<std::string_view, 2> kExamples{"", "\"float value\" 0.3"};
     static FloatTexture CreateFloat(TextureBuilder &builder) {
         return builder.params.GetOneFloat("value", 1);
     }
@@ -14,5 +15,6 @@ struct ConstantTexture {
         return builder.Spectra("value", 1);
     }
 };
+static_assert(TextureType<ConstantTexture>);
 
 }  // namespace pbrt

@@ -2,8 +2,10 @@
 
 #include "pbrt/build/null_transmission.h"
 #include "pbrt/build/visible_surface.h"
+#include "pbrt/integrators/path/emission.h"
 #include "pbrt/integrators/path/path_batch.h"
-#include "pbrt/integrators/path/surface_vertices.h"
+#include "pbrt/integrators/path/shade_groups.h"
+#include "pbrt/samplers/batch_sampler.h"
 
 namespace pbrt {
 
@@ -12,11 +14,16 @@ namespace pbrt {
 /// on nothing but its pixel and sample number, and, in its roundings, on the paths that share its
 /// packets: which these are depends on the scene and the picture's bounds, not on threads. Large
 /// (two megabytes): one a thread, on the heap.
-template <typename SamplerT, typename Scattering = DefaultScattering>
+template <SamplerType SamplerT>
 class BatchTracer {
   public:
-    BatchTracer(const RenderScene &scene, const SamplerT &sampler)
-        : scene(scene), sampler(sampler), choosesLights(!scene.lightSampler.OnlyLight()) {
+    BatchTracer(const RenderScene &scene, const SamplerT &sampler,
+                std::span<const ShadeGroup> groups = ShadeGroups())
+        : scene(scene),
+          sampler(sampler),
+          choosesLights(!scene.lightSampler.OnlyLight()),
+          groups(groups),
+          lists(1 + groups.size()) {
         for (PathQueue &queue : paths.queues)
             queue.KeepNormals(scene.lightSampler.ReadsNormals());
         for (const Geometry &g : scene.geometries) {
@@ -39,7 +46,6 @@ class BatchTracer {
     }
 
   private:
-    static constexpr size_t kTypes = std::variant_size_v<Material>;
     static constexpr uint32_t kMix = ~0u;  ///< the kind of no path
     // Dimensions of the camera's numbers.
     static constexpr int kWavelength = 0, kFilm = 1, kTime = 2, kLens = 3,
@@ -66,7 +72,7 @@ class BatchTracer {
         FloatX16 time{};
         if (scene.isAnimated) time = jitters ? sampler.Get1D(kTime, pixel, k) : half;
         Point2fX16 uLens{half, half};
-        if (scene.camera.HasLens() && jitters) uLens = sampler.Get2D(kLens, pixel, k);
+        if (HasLens(scene.camera) && jitters) uLens = sampler.Get2D(kLens, pixel, k);
         Point2fX16 film;
         for (int i = 0; i < kPacketSize; ++i) {
             const FilterSample f =
@@ -75,7 +81,7 @@ class BatchTracer {
             filterWeight[first + uint32_t(i)] = f.weight;
             SetLane(&film, i, {at.x + 0.5f + f.p.x, at.y + 0.5f + f.p.y});
         }
-        const RayPacket packet = scene.camera.GenerateRays(film, uLens, time);
+        const RayPacket packet = GenerateRays(scene.camera, film, uLens, time);
         PathPacket path{};
         path.slot = kLaneNumbers + first;
         path.o = packet.o, path.d = packet.d, path.time = packet.time;
@@ -106,7 +112,7 @@ class BatchTracer {
         for (size_t kind = 0; kind < lists.size(); ++kind) {
             const PathList &list = lists[kind];
             for (int first = 0; first < list.size; first += kPacketSize)
-                ShadeGroup(kind, &list.at[size_t(first)], std::min(kPacketSize, list.size - first),
+                ShadePaths(kind, &list.at[size_t(first)], std::min(kPacketSize, list.size - first),
                            dimension);
         }
         TraceShadows();
@@ -158,11 +164,11 @@ class BatchTracer {
 
     /// Which list paths belong to that meet this material.
     uint32_t MaterialGroup(uint32_t material) const {
-        return uint32_t(1 + 2 * scene.materials[material].index() + scene.uniform[material]);
+        return uint32_t(1 + ShadeGroup::IndexOf(scene.materials.Facts(material)));
     }
 
     /// Paths at the given places of the queue, all of one kind.
-    void ShadeGroup(size_t kind, const uint32_t *from, int count, int dimension) {
+    void ShadePaths(size_t kind, const uint32_t *from, int count, int dimension) {
         const UintX16 at = Select(MaskOf(FirstLanes(count)), LoadWide(from), Broadcast16(from[0]));
         if (kind == 0) {
             if (scene.infiniteLights.empty()) return;
@@ -170,25 +176,10 @@ class BatchTracer {
         }
         const UintX16 slot = paths.queue->SlotsAt(at);
         const UintX16 pixel = Gather(&paths.pixel[0], slot), k = Gather(&paths.sample[0], slot);
-        VisitGroup(kind - 1, [&]<typename M, bool kUniform>() {
-            const auto numbers =
-                VertexNumbers::Draw(sampler, dimension, pixel, k, {choosesLights, !HasOneLobe<M>});
-            SurfaceVertices<M, kUniform, Scattering>(scene, paths, numbers).Shade(at, count);
-        });
-    }
-    /// Calls f<M, kUniform>() for the kind 2 * index of M in Material + kUniform.
-    template <typename F, size_t... K>
-    static void VisitGroup(size_t kind, const F &f, std::index_sequence<K...>) {
-        const auto call = [&]<size_t k>() {
-            using M = std::variant_alternative_t<k / 2, Material>;
-            if constexpr (k % 2 == 0 || requires(const M &m) { m.IsUniform(); })
-                f.template operator()<M, k % 2 == 1>();
-        };
-        (void)((kind == K && (call.template operator()<K>(), true)) || ...);
-    }
-    template <typename F>
-    static void VisitGroup(size_t kind, const F &f) {
-        VisitGroup(kind, f, std::make_index_sequence<2 * kTypes>());
+        const ShadeGroup &group = groups[kind - 1];
+        const auto numbers =
+            VertexNumbers::Draw(sampler, dimension, pixel, k, {choosesLights, !group.oneLobe});
+        group.shade(scene, paths, numbers, at, count);
     }
 
     void TraceShadows() {
@@ -228,7 +219,7 @@ class BatchTracer {
     }
 
     const RenderScene &scene;
-    SamplerT sampler;
+    BatchSampler<SamplerT> sampler;
     const bool choosesLights;
     RayCounts *rays = nullptr;
     SampleBatch batch;
@@ -240,8 +231,8 @@ class BatchTracer {
         BatchArray<uint32_t> at;
         int size = 0;
     };
-    /// Rays that left the scene, then by type of material, those that are not uniform first.
-    std::array<PathList, 1 + 2 * kTypes> lists;
+    std::span<const ShadeGroup> groups;
+    std::vector<PathList> lists;     ///< rays that left the scene, then by group
     BatchArray<float> filterWeight;  ///< by slot, as is the next
     BatchArray<std::optional<VisibleSurface>> seen;
 };

@@ -4,19 +4,20 @@
 
 #include "pbrt/bxdfs/albedo.h"
 #include "pbrt/bxdfs/bxdf_packet.h"
+#include "pbrt/bxdfs/diffuse_bxdf.h"
 
 namespace pbrt {
 
 /// The BxDFs of sixteen surfaces: their own, or, with Option "forcediffuse", matt ones that reflect
 /// as much. Theirs is DiffuseBxDF of AlbedoOf towards wo (with its errors), at most 1: mirrors and
 /// glass become matt, and nothing is let through. pbrt-v4 takes a random estimate of the same.
-template <typename BxDF>
+template <BxDFType BxDF>
 class SurfacePacketBSDF {
   public:
     explicit SurfacePacketBSDF(bool forceDiffuse) : forceDiffuse(forceDiffuse) {}
 
-    void Set(int i, const BxDF &bxdf) { own.Set(i, bxdf); }
-    template <BxDFModel B>
+    void Set(int i, const BxDFPacketInput<BxDF> &input) { own.Set(i, input); }
+    template <BxDFType B>
     void SetDiffuse(int i, const B &bxdf, Vector3f wo) {
         SampledSpectrum albedo = AlbedoOf(bxdf, wo);
         for (int k = 0; k < NSpectrumSamples; ++k)
