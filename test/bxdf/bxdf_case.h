@@ -24,11 +24,6 @@ struct BxDFCase {
     friend std::ostream &operator<<(std::ostream &out, const BxDFCase &c) { return out << c.name; }
 };
 
-/// The cases on which every law is tested. To test another type, specialise this and add the type
-/// to BxDFTypes.
-template <typename B>
-std::vector<BxDFCase<B>> CasesOf();
-
 /// Unit directions on both sides: cosine-distributed ones, the same for every type, and a grazing
 /// one.
 inline std::vector<Vector3f> Outgoing(int n) {
