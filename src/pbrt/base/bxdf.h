@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "pbrt/base/plug_in.h"
 #include "pbrt/spectra/sampled_spectrum.h"
 #include "pbrt/util/vecmath.h"
 #include "pbrt/util/wide.h"
@@ -133,10 +134,9 @@ concept BxDFType = std::copy_constructible<B> &&
     { b.f(w, w, mode) } -> std::same_as<SampledSpectrum>;
     { b.PDF(w, w, mode) } -> std::same_as<float>;
     { b.Sample_f(w, u, u2, mode) } -> std::same_as<std::optional<BSDFSample>>;
-} &&(B::kTraits.regularizes ==
-     detail::HasRegularize<B>)&&(B::kTraits.evaluatesTogether ==
-                                 detail::HasEvaluate<B>)&&(B::kTraits.hasPacket ==
-                                                           detail::HasPacket<B>);
+} && detail::AsAnnounced<B::kTraits.regularizes, detail::HasRegularize<B>> &&
+    detail::AsAnnounced<B::kTraits.evaluatesTogether, detail::HasEvaluate<B>> &&
+    detail::AsAnnounced<B::kTraits.hasPacket, detail::HasPacket<B>>;
 
 /// Sixteen BxDFs side by side, made of `Input`s; see bxdfs/bxdf_packet.h for the general one.
 ///   Set(i, input)      lane i; lanes never set are never `active`

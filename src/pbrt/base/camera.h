@@ -94,6 +94,6 @@ concept CameraType = PlugInType<C> && std::copyable<C> &&
     { c.Origins() } -> std::same_as<Bounds3f>;
     { c.ViewAt(p) } -> std::same_as<CameraView<float>>;
     { c.NDCFromCamera() } -> std::same_as<Transform>;
-} &&(C::kTraits.hasPackets == detail::HasCameraPackets<C>);
+} && detail::AsAnnounced<C::kTraits.hasPackets, detail::HasCameraPackets<C>>;
 
 }  // namespace pbrt

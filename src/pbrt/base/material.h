@@ -114,18 +114,12 @@ concept MaterialType = PlugInType<M> && std::copy_constructible<M> &&
     { M::kTraits } -> std::same_as<const MaterialTraits &>;
     { M::Create(params, named) } -> std::same_as<M>;
     { m.GetBxDF(ctx, lambda) } -> BxDFType;
-} &&(M::kTraits.terminatesWavelengths != detail::GetBxDFReadsWavelengths<M>)&&(
-    M::kTraits.canBeUniform ==
-    detail::HasIsUniform<
-        M>)&&(M::kTraits.turnsFrame ==
-              detail::HasTurnFrame<
-                  M>)&&(M::kTraits.nullTransmission ==
-                        detail::HasNullTransmission<
-                            M>)&&(M::kTraits.laidByUV ==
-                                  detail::HasLaidByUV<
-                                      M>)&&(M::kTraits.warns ==
-                                            detail::HasWarnings<
-                                                M>)&&(detail::kHasOwnPacketInput<BxDFOf<M>> ==
-                                                      detail::HasPacketInput<M>);
+} && detail::AsAnnounced<M::kTraits.terminatesWavelengths, !detail::GetBxDFReadsWavelengths<M>> &&
+    detail::AsAnnounced<M::kTraits.canBeUniform, detail::HasIsUniform<M>> &&
+    detail::AsAnnounced<M::kTraits.turnsFrame, detail::HasTurnFrame<M>> &&
+    detail::AsAnnounced<M::kTraits.nullTransmission, detail::HasNullTransmission<M>> &&
+    detail::AsAnnounced<M::kTraits.laidByUV, detail::HasLaidByUV<M>> &&
+    detail::AsAnnounced<M::kTraits.warns, detail::HasWarnings<M>> &&
+    detail::AsAnnounced<detail::kHasOwnPacketInput<BxDFOf<M>>, detail::HasPacketInput<M>>;
 
 }  // namespace pbrt

@@ -20,4 +20,10 @@ concept PlugInType = requires {
 }
 &&(std::span<const std::string_view>(T::kExamples).size() > 0);
 
+namespace detail {
+/// An optional member is there exactly where the type's traits announce it.
+template <bool announced, bool there>
+concept AsAnnounced = announced == there;
+}  // namespace detail
+
 }  // namespace pbrt

@@ -69,6 +69,6 @@ concept SamplerType = PlugInType<S> && std::copyable<S> &&
     s.StartPixelSample(pixel, 0, 0);
     { s.Get1D() } -> std::same_as<float>;
     { s.Get2D() } -> std::same_as<Point2f>;
-} &&(S::kTraits.hasBatches == detail::HasBatches<S>);
+} && detail::AsAnnounced<S::kTraits.hasBatches, detail::HasBatches<S>>;
 
 }  // namespace pbrt

@@ -13,8 +13,8 @@ namespace pbrt {
 struct ImageTexture {
     static constexpr std::string_view kName = "imagemap";
     static constexpr std::array<std::string_view, 2> kExamples{
-        "\"string filename\" \"example.png\"",
-        "\"string filename\" \"example.png\" \"string filter\" \"ewa\" \"string wrap\" \"clamp\" "
+        "\"string filename\" \"example.exr\"",
+        "\"string filename\" \"example.exr\" \"string filter\" \"ewa\" \"string wrap\" \"clamp\" "
         "\"float scale\" 0.5"};
     static FloatTexture CreateFloat(TextureBuilder &builder);
     static SpectrumByRole CreateSpectrum(TextureBuilder &builder);
