@@ -1,7 +1,6 @@
 #include "pbrt/build/null_transmission.h"
 
-#include "pbrt/build/material_frame.h"
-#include "pbrt/materials/materials.h"
+#include "pbrt/build/surface_bsdf.h"
 
 namespace pbrt {
 namespace {
@@ -11,7 +10,7 @@ float NullTransmissionAt(const RenderScene &scene, const M &material, bool unifo
                          const SurfaceInteraction &sp, Vector3f d) {
     if constexpr (M::kTraits.nullTransmission) {
         const TextureEvalContext ctx = uniform ? TextureEvalContext{} : scene.TextureContext(sp);
-        const Frame frame = FrameOf(material, sp, ctx, d);
+        const Frame frame = BSDFFrame(material, sp, ctx, d);
         return material.NullTransmission(ctx, frame.ToLocal(Normalize(-d)));
     } else {
         return 0;

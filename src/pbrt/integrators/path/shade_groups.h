@@ -5,6 +5,7 @@
 #include "pbrt/build/render_scene.h"
 #include "pbrt/integrators/path/path_batch.h"
 #include "pbrt/integrators/path/path_state.h"
+#include "pbrt/integrators/path/settings.h"
 
 namespace pbrt {
 
@@ -15,8 +16,8 @@ struct ShadeGroup {
     static size_t IndexOf(const MaterialFacts &facts) { return 2 * facts.type + facts.isUniform; }
 
     /// SurfaceVertices::Shade for up to sixteen paths that meet materials of the group.
-    void (*shade)(const RenderScene &scene, PathBatch &batch, const VertexNumbers &numbers,
-                  const UintX16 &places, int count) = nullptr;
+    void (*shade)(const RenderScene &scene, const PathSettings &settings, PathBatch &batch,
+                  const VertexNumbers &numbers, const UintX16 &places, int count) = nullptr;
     bool oneLobe = false;  ///< reads no VertexNumbers::lobe; see MaterialTraits::oneLobe
 };
 

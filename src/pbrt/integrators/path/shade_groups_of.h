@@ -9,9 +9,9 @@
 namespace pbrt {
 
 template <typename M, bool kUniform, typename Scattering>
-void ShadeVertices(const RenderScene &scene, PathBatch &batch, const VertexNumbers &numbers,
-                   const UintX16 &places, int count) {
-    SurfaceVertices<M, kUniform, Scattering>(scene, batch, numbers).Shade(places, count);
+void ShadeVertices(const RenderScene &scene, const PathSettings &settings, PathBatch &batch,
+                   const VertexNumbers &numbers, const UintX16 &places, int count) {
+    SurfaceVertices<M, kUniform, Scattering>(scene, settings, batch, numbers).Shade(places, count);
 }
 
 /// The groups of all materials, with BSDFs as `Scattering` makes them; see ShadeGroup::IndexOf.
