@@ -161,7 +161,7 @@ TEST(ShortIntegrators, ForcedDiffuseIsThatOfPath) {
         "LightSource \"infinite\" \"rgb L\" [ .5 .5 .5 ]\n"
         "Material \"conductor\" Shape \"sphere\"\n";
     const auto of = [&](const char *integrator) {
-        return MeanOf("Option \"bool forcediffuse\" true\n" +
+        return MeanOf("Option \"forcediffuse\" true\n" +
                       Picture(fmt::format("\"{}\" \"integer maxdepth\" 2", integrator), world, 32));
     };
     ExpectSame(of("simplepath"), of("path"), "simplepath");

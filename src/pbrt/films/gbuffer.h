@@ -13,11 +13,12 @@ class GBufferFilm {
     static constexpr std::string_view kName = "gbuffer";
     static constexpr FilmTraits kTraits{.surface = true, .exrOnly = true};
     static constexpr size_t kSurfaceChannels = 16;
+    /// On the heap, so that pixels of other films stay small.
     struct Sums {
-        ExactSum weight;
-        std::array<ExactSum, kSurfaceChannels> surface;
         int64_t n = 0;
-        std::array<ExactSum, 3> rgb, squares;  ///< not weighted
+        ExactSum weight;                           ///< of the samples that see something
+        std::vector<ExactSum> surface;             ///< kSurfaceChannels, weighted
+        std::vector<std::array<ExactSum, 2>> rgb;  ///< R, G, B and their squares, not weighted
     };
 
     static GBufferFilm Create(ParamDict &params);
@@ -28,7 +29,12 @@ class GBufferFilm {
     SampledWavelengths SampleWavelengths(float u) const {
         return SampledWavelengths::SampleVisible(u);
     }
-    Sums NewSums() const { return {}; }
+    Sums NewSums() const {
+        return {0,
+                {},
+                std::vector<ExactSum>(kSurfaceChannels),
+                std::vector<std::array<ExactSum, 2>>(3)};
+    }
     void Add(Sums *sums, const FilmSample &sample) const;
     std::vector<std::string> ChannelNames() const;
     void Write(const Sums &sums, float *channels) const;
