@@ -78,8 +78,9 @@ concept HasCameraPackets = requires(const C c, const Point2fX16 &film, const Flo
 ///                            by Placement().TimeAt
 ///   HasLens()                false: `lens` is not read, and nobody works it out
 ///   Origins()                holds the origins of all rays, in rendering space
-///   ViewAt(p)                for texture filtering; may be an approximation, as that of the film's
-///                            centre. p in rendering space
+///   ViewAt(p)                for texture filtering; may be an approximation, as that of the
+///   camera's
+///                            axis. p in rendering space
 ///   NDCFromCamera()          from camera space to [0, 1]^2 over the film, y down, x depth; for the
 ///                            picture's metadata. Transform() where there is no such matrix
 template <typename C>

@@ -27,7 +27,7 @@ class PerspectiveCamera {
                            const FloatX16 &time) const {
         return rays.GenerateRays(film, lens, time);
     }
-    /// As if the pixels' angle were everywhere that at the film's centre.
+    /// As if the pixels' angle were everywhere that on the camera's axis.
     template <AnyFloat T>
     CameraView<T> ViewAt(Vec3<T> p) const {
         const Vec3<T> away = p - Repeated<T>(Placement().renderFromCamera.Point({0, 0, 0}));
