@@ -1,9 +1,9 @@
 #include <cmath>
 
-#include "pbrt/bsdftool/bench_cases.h"
-#include "pbrt/bsdftool/bench_model.h"
+#include "bench/feather/cases.h"
+#include "bench/feather/model.h"
 
-namespace pbrt::bsdftool {
+namespace pbrt::bench {
 namespace {
 
 /// Closer to the horizon float leaves the gap fraction fewer digits: 5e-3 at 1e-5.
@@ -25,14 +25,14 @@ bool AwayFromEdges(const Oracle &oracle, const feather::View<double> &view,
 }  // namespace
 
 PartErrors MeasureParts(const FeatherBarbuleMaterial &material, int pairs) {
-    const auto model = BenchModel<FeatherBarbuleBxDF::Model>(material);
-    const auto oracle = BenchModel<Oracle>(material);
+    const auto model = ModelOf<FeatherBarbuleBxDF::Model>(material);
+    const auto oracle = ModelOf<Oracle>(material);
     PartErrors errors;
     const auto raise = [](double &most, double error) { most = std::max(most, std::abs(error)); };
-    const std::vector<BenchInput> inputs = BenchInputs(pairs, 3);
+    const std::vector<Input> inputs = MakeInputs(pairs, 3);
     const EvaluatedLobes rendered = EvaluatePacket(material, inputs);
     for (size_t i = 0; i < inputs.size(); ++i) {
-        const BenchInput &in = inputs[i];
+        const Input &in = inputs[i];
         const auto wo = Local<double>(in.wo), wi = Local<double>(in.wi);
         const auto exactView = oracle.SeenFrom(wo);
         if (in.wo.z >= kNotGrazing)
@@ -50,4 +50,4 @@ PartErrors MeasureParts(const FeatherBarbuleMaterial &material, int pairs) {
     return errors;
 }
 
-}  // namespace pbrt::bsdftool
+}  // namespace pbrt::bench

@@ -1,13 +1,18 @@
+#include "bench/feather/command.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
-#include "pbrt/bsdftool/bench_cases.h"
+#include "bench/feather/cases.h"
 #include "pbrt/bsdftool/command_line.h"
 #include "pbrt/cli/options.h"
 
-namespace pbrt::bsdftool {
+namespace pbrt::bench {
 namespace {
+
+using namespace bsdftool;
 
 /// Timed in the same run.
 constexpr std::string_view kConductor =
@@ -22,25 +27,24 @@ struct Options {
 /// R is zero for most pairs and cheap: so many more of them than for TRT.
 constexpr int kPairsForParts = 16;
 
-std::optional<Outcome> ParseOptions(Args args, Options *o) {
-    CLI::App app(
-        "Nanoseconds per f, PDF and Sample_f of a material (4 wavelengths, one thread, directions "
-        "uniform on the upper hemisphere, the fastest of several runs), beside other materials and "
-        "sinf. For featherbarbule also the time of Sample_f without f, time and error of each "
-        "quadrature of TRT, and the errors of R, PDF and T, all against double precision with a "
-        "converged quadrature, and a film's reflectance beside the complex series.",
-        "bsdftool bench");
-    AddMaterial(&app, &o->common);
-    cli::AddNumber(&app, "--rounds", &o->rounds, {.lo = 1, .hi = 100000},
+constexpr char kDescription[] =
+    "Nanoseconds per f, PDF and Sample_f of a material (4 wavelengths, one thread, directions "
+    "uniform on the upper hemisphere, the fastest of several runs), beside other materials and "
+    "sinf. For featherbarbule also the time of Sample_f without f, time and error of each "
+    "quadrature of TRT, and the errors of R, PDF and T, all against double precision with a "
+    "converged quadrature, and a film's reflectance beside the complex series.";
+
+void DefineOptions(CLI::App *app, Options *o) {
+    AddMaterial(app, &o->common);
+    cli::AddNumber(app, "--rounds", &o->rounds, {.lo = 1, .hi = 100000},
                    "rounds of three passes, of which the fastest counts (default: 20)");
-    cli::AddNumber(&app, "--pairs", &o->pairs, {.lo = 1, .hi = 1000000},
+    cli::AddNumber(app, "--pairs", &o->pairs, {.lo = 1, .hi = 1000000},
                    "pairs of directions for errors (default: 1000)");
-    app.add_option("--csv", o->csv, "file for the same table as CSV");
-    return cli::Parse(&app, args);
+    cli::AddText(app, "--csv", &o->csv, "file for the same table as CSV");
 }
 
-std::vector<BenchCase> Yardsticks() {
-    std::vector<BenchCase> cases{SineCase(), HairCase()};
+std::vector<Case> Yardsticks() {
+    std::vector<Case> cases{SineCase(), HairCase()};
     Diagnostics log;
     if (const auto source = ReadMaterial(std::string(kConductor), "", log))
         cases.push_back(CaseOf("conductor, GGX 0.3", source->material));
@@ -56,11 +60,11 @@ std::optional<double> Percent(const std::optional<double> &share) {
     return *share * 100;
 }
 
-std::string Table(const std::vector<BenchCase> &cases) {
+std::string Table(const std::vector<Case> &cases) {
     std::string table = fmt::format("{:<22} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n", "", "f ns",
                                     "PDF ns", "Sample_f", "without f", "light %", "f %");
-    for (const BenchCase &c : cases) {
-        const BenchRow &r = c.row;
+    for (const Case &c : cases) {
+        const Row &r = c.row;
         table += fmt::format("{:<22}", r.name) + Cell(r.f, 1) + Cell(r.pdf, 1) + Cell(r.sample, 1) +
                  Cell(r.draw, 1) + Cell(Percent(r.lightError), 3) + Cell(Percent(r.fError), 3);
         table.erase(table.find_last_not_of(' ') + 1);
@@ -69,7 +73,7 @@ std::string Table(const std::vector<BenchCase> &cases) {
     return table;
 }
 
-std::string Csv(const std::vector<BenchCase> &cases) {
+std::string Csv(const std::vector<Case> &cases) {
     const auto cell = [](const std::optional<double> &value) {
         return value ? fmt::format(",{:.6g}", *value) : std::string(",");
     };
@@ -84,7 +88,7 @@ std::string Csv(const std::vector<BenchCase> &cases) {
 }
 
 /// What the targets are about: times that hardly depend on the machine.
-std::string Ratios(const BenchRow &row, const BenchRow &sine) {
+std::string Ratios(const Row &row, const Row &sine) {
     const double unit = *sine.f;
     std::string text = fmt::format("{}: f {:.1f}, PDF {:.1f}, Sample_f {:.1f}", row.name,
                                    *row.f / unit, *row.pdf / unit, *row.sample / unit);
@@ -101,7 +105,7 @@ std::string Describe(const PartErrors &e) {
         e.R, e.lit, e.pdf, e.gap);
 }
 
-std::string DescribeFilms(const std::vector<BenchCase> &cases) {
+std::string DescribeFilms(const std::vector<Case> &cases) {
     std::string text;
     for (const auto &[r, timers] : cases)
         if (r.filmError)
@@ -110,18 +114,14 @@ std::string DescribeFilms(const std::vector<BenchCase> &cases) {
     return text;
 }
 
-}  // namespace
-
-Outcome RunBench(Args args) {
-    Options o;
-    if (auto end = ParseOptions(args, &o)) return *end;
+Outcome WithOptions(Options &o) {
     Diagnostics log;
     const auto source = ReadMaterial(o.common, log);
     CheckWritable(o.csv, log);
     if (log.HasErrors()) return Finish(log);
 
-    std::vector<BenchCase> cases{CaseOf(source->type, source->material)};
-    const auto add = [&](std::vector<BenchCase> more) {
+    std::vector<Case> cases{CaseOf(source->type, source->material)};
+    const auto add = [&](std::vector<Case> more) {
         std::move(more.begin(), more.end(), std::back_inserter(cases));
     };
     add(Yardsticks());
@@ -129,6 +129,7 @@ Outcome RunBench(Args args) {
     PartErrors parts;
     if (barbule) {
         add(FilmCases());
+        add(PartCases(*barbule));
         add(QuadratureCases(*barbule, o.pairs));
         parts = MeasureParts(*barbule, kPairsForParts * o.pairs);
         cases[0].row.partR = parts.R;
@@ -142,4 +143,10 @@ Outcome RunBench(Args args) {
     return Finish(log, std::move(text));
 }
 
-}  // namespace pbrt::bsdftool
+}  // namespace
+
+cli::Outcome Run(cli::Args args) {
+    return cli::RunWithOptions(args, "bench_feather", kDescription, DefineOptions, WithOptions);
+}
+
+}  // namespace pbrt::bench

@@ -1,4 +1,4 @@
-#include "pbrt/bsdftool/canvas.h"
+#include "pbrt/plot/canvas.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace pbrt::bsdftool {
+namespace pbrt::plot {
 namespace {
 
 /// cairo goes on after a failure, drawing nothing.
@@ -135,4 +135,4 @@ std::string Canvas::Png() const {
     return bytes;
 }
 
-}  // namespace pbrt::bsdftool
+}  // namespace pbrt::plot

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace pbrt::bsdftool {
+namespace pbrt::plot {
 
 /// A range of values along a line of pixels.
 struct Axis {
@@ -14,4 +14,4 @@ struct Axis {
     std::vector<double> Ticks(int count) const;
 };
 
-}  // namespace pbrt::bsdftool
+}  // namespace pbrt::plot

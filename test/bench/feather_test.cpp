@@ -1,15 +1,23 @@
-#include "pbrt/bsdftool/bench_cases.h"
-
+#include "bench/feather/cases.h"
+#include "bench/feather/command.h"
 #include "bsdftool/tool_test.h"
 
-namespace pbrt::bsdftool {
+namespace pbrt::bench {
 namespace {
 
-class Bench : public BsdfTool {};
+class Bench : public bsdftool::BsdfTool {
+  protected:
+    static std::string Table(const std::vector<std::string> &args) {
+        const cli::Outcome outcome = bench::Run(args);
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.out << outcome.err;
+        EXPECT_EQ(outcome.err, "");
+        return outcome.out;
+    }
+};
 
 TEST_F(Bench, TellsTimesAndErrors) {
     const std::string text =
-        Succeed({"bench", kFeather, "--rounds", "1", "--pairs", "60", "--csv", Path("b.csv")});
+        Table({kFeather, "--rounds", "1", "--pairs", "60", "--csv", Path("b.csv")});
     EXPECT_NE(text.find("times sinf"), std::string::npos) << text;
     std::ifstream csv(Path("b.csv"));
     std::string line;
@@ -33,7 +41,7 @@ TEST_F(Bench, TellsTimesAndErrors) {
 }
 
 TEST_F(Bench, OtherMaterialsHaveTimesOnly) {
-    const std::string text = Succeed({"bench", "Material \"diffuse\"", "--rounds", "1"});
+    const std::string text = Table({"Material \"diffuse\"", "--rounds", "1"});
     EXPECT_EQ(text.find("Gauss"), std::string::npos);
     EXPECT_EQ(text.find("edges"), std::string::npos);
     EXPECT_NE(text.find("diffuse: f "), std::string::npos);
@@ -43,7 +51,7 @@ TEST_F(Bench, ErrorsFallWithTheOrder) {
     const Material material = Read(kFeather);
     const auto cases = QuadratureCases(std::get<FeatherBarbuleMaterial>(material), 100);
     const auto error = [&](const std::string &name) {
-        for (const BenchCase &c : cases)
+        for (const Case &c : cases)
             if (c.row.name == name) return *c.row.lightError;
         ADD_FAILURE() << name;
         return 0.0;
@@ -72,4 +80,4 @@ TEST_F(Bench, PartsAreAsExactAsFloat) {
 }
 
 }  // namespace
-}  // namespace pbrt::bsdftool
+}  // namespace pbrt::bench

@@ -1,8 +1,8 @@
-#include "pbrt/bsdftool/axis.h"
+#include "pbrt/plot/axis.h"
 
 #include <cmath>
 
-namespace pbrt::bsdftool {
+namespace pbrt::plot {
 
 std::vector<double> Axis::Ticks(int count) const {
     const double rough = (hi - lo) / count, decade = std::pow(10, std::floor(std::log10(rough)));
@@ -16,4 +16,4 @@ std::vector<double> Axis::Ticks(int count) const {
     return ticks;
 }
 
-}  // namespace pbrt::bsdftool
+}  // namespace pbrt::plot

@@ -1,9 +1,9 @@
 #include <complex>
 
-#include "pbrt/bsdftool/bench_cases.h"
-#include "pbrt/bsdftool/bench_model.h"
+#include "bench/feather/cases.h"
+#include "bench/feather/model.h"
 
-namespace pbrt::bsdftool {
+namespace pbrt::bench {
 namespace {
 
 constexpr float kThickness = 590, kEta = 1.55f;
@@ -26,7 +26,7 @@ T SeriesReflectance(T lambda, T thickness, T eta, T c) {
 template <typename Reflectance>
 double LargestError(const Reflectance &reflectance) {
     double most = 0;
-    for (const BenchInput &in : BenchInputs(100000, 4)) {
+    for (const Input &in : MakeInputs(100000, 4)) {
         const float lambda = 360 + 470 * in.u.x, thickness = 2000 * in.u.y, eta = 1.3f + in.uc / 2;
         const float c = std::max(0.01f, in.wo.z);
         const double exact = feather::Film<double>({lambda}, {thickness}, eta).Reflectance(c);
@@ -36,17 +36,16 @@ double LargestError(const Reflectance &reflectance) {
 }
 
 template <typename T>
-BenchCase SeriesCase(const std::string &name) {
-    BenchCase c;
+Case SeriesCase(const std::string &name) {
+    Case c;
     c.row.name = name;
     c.row.filmError = LargestError([](float lambda, float thickness, float eta, float cosine) {
         return SeriesReflectance<T>(lambda, thickness, eta, cosine);
     });
-    c.timers.push_back({&BenchRow::f, Pass([](const BenchInput &in) {
+    c.timers.push_back({&Row::f, Pass([](const Input &in) {
                             std::array<T, N> R;
                             for (int i = 0; i < N; ++i)
-                                R[i] = SeriesReflectance<T>(kBenchLambda[i], kThickness, kEta,
-                                                            in.wo.z);
+                                R[i] = SeriesReflectance<T>(kLambda[i], kThickness, kEta, in.wo.z);
                             return float(feather::Sum(R));
                         })});
     return c;
@@ -54,16 +53,16 @@ BenchCase SeriesCase(const std::string &name) {
 
 }  // namespace
 
-std::vector<BenchCase> FilmCases() {
-    BenchCase real;
+std::vector<Case> FilmCases() {
+    Case real;
     real.row.name = "film, real numbers";
     real.row.filmError = LargestError([](float lambda, float thickness, float eta, float c) {
         return feather::Film<float>({lambda}, {thickness}, eta).Reflectance(c);
     });
     std::array<feather::Film<float>, N> films;
     for (int i = 0; i < N; ++i)
-        films[i] = feather::Film<float>({kBenchLambda[i]}, {kThickness}, kEta);
-    real.timers.push_back({&BenchRow::f, Pass([films](const BenchInput &in) {
+        films[i] = feather::Film<float>({kLambda[i]}, {kThickness}, kEta);
+    real.timers.push_back({&Row::f, Pass([films](const Input &in) {
                                std::array<float, N> R;
                                for (int i = 0; i < N; ++i)
                                    R[i] = films[i].Reflectance(in.wo.z);
@@ -73,4 +72,4 @@ std::vector<BenchCase> FilmCases() {
             SeriesCase<double>("film, series in double")};
 }
 
-}  // namespace pbrt::bsdftool
+}  // namespace pbrt::bench

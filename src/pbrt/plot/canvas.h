@@ -8,7 +8,7 @@
 
 #include "pbrt/image/image.h"
 
-namespace pbrt::bsdftool {
+namespace pbrt::plot {
 
 /// Components in [0, 1], sRGB-encoded.
 struct Ink {
@@ -57,4 +57,4 @@ class Canvas {
     std::unique_ptr<cairo_t, Release> context;
 };
 
-}  // namespace pbrt::bsdftool
+}  // namespace pbrt::plot
