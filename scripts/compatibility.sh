@@ -21,9 +21,10 @@ names() {
   esac
 }
 
-# What pbrt-v4 has beyond: names of this kind.
+# What pbrt-v4 has beyond: names of this kind, but for those built since.
 missing() {
-  grep -o 'UpstreamName{.*}' "$root/src/pbrt/util/upstream.cpp" | sed 's/\\"/`/g' |
+  grep -o 'UpstreamName{.*}' "$root/src/pbrt/util/upstream.cpp" |
+    grep -vF -f <(names "$1" | sed "s/.*/\"$1\", \"&\"/") | sed 's/\\"/`/g' |
     sed -n "s/UpstreamName{\"$1\", \"\([^\"]*\)\", \"\([^\"]*\)\"}/\`\1\`\2/p" |
     sed 's/`\([a-z]\+\)$/` (near it: `\1`)/' | paste -sd, | sed 's/,/, /g'
 }

@@ -46,7 +46,7 @@ std::optional<Shape> MergedEmitter(const Geometry &geometry, ParamDict &params) 
 
 void BuildLights(const SceneDescription &description, const std::vector<EmissiveShape> &emitters,
                  RenderScene &scene, Diagnostics &log) {
-    const Transform &renderFromWorld = scene.camera.RenderFromWorld();
+    const Transform &renderFromWorld = Placement(scene.camera).renderFromWorld;
     for (const LightEntity &entity : description.lights) {
         ParamDict params = Params(entity, "light", entity.type, description, log);
         if (auto light = CreateLight(entity.type, params, renderFromWorld * entity.worldFromLight))
@@ -96,22 +96,21 @@ std::unique_ptr<RenderScene> BuildScene(SceneDescription &description,
     auto scene = std::make_unique<RenderScene>();
     scene->options = description.options;
     scene->film = Film::Create(description, overrides.film, log);
-    scene->camera = Camera::Create(description, scene->film.FullResolution(), log);
-    scene->film.SetSpaces(scene->camera.RenderFromCamera().Inverse(),
-                          scene->camera.RenderFromWorld().Inverse());
-    scene->film.SetExposure(scene->camera.ShutterClose() - scene->camera.ShutterOpen());
+    scene->camera = CreateCamera(description, scene->film.FullResolution(), log);
+    const CameraPlacement &placement = Placement(scene->camera);
+    scene->film.SetSpaces(placement.renderFromCamera.Inverse(),
+                          placement.renderFromWorld.Inverse());
+    scene->film.SetExposure(placement.shutterClose - placement.shutterOpen);
     ReadSampling(description, overrides, *scene, log);
     if (const Entity &accelerator = description.accelerator; !accelerator.type.empty()) {
         ParamDict params = Params(accelerator, "accelerator", accelerator.type, description, log);
         ReadAccelerator(accelerator.type, params);
     }
 
-    const NamedTextures textures = BuildTextures(description, scene->camera.RenderFromWorld(), log);
+    const NamedTextures textures = BuildTextures(description, placement.renderFromWorld, log);
     scene->filtersTextures =
         textures.readFootprints && !description.options.disableTextureFiltering;
     MaterialTable materials = BuildMaterials(description, textures, *scene, log);
-    for (const Material &m : scene->materials)
-        scene->uniform.push_back(IsUniform(m));
     const BuiltShapes shapes = BuildShapes(description, textures, materials, *scene, log);
     if (log.HasErrors()) return nullptr;
 

@@ -265,7 +265,7 @@ BuiltShapes BuildShapes(SceneDescription &description, const NamedTextures &text
                         const MaterialTable &materials, RenderScene &scene, Diagnostics &log) {
     scene.geometries.reserve(description.shapes.size());  // growing, they would be there twice
     ShapeBuilder builder(description, textures, materials, scene, log);
-    const Transform &renderFromWorld = scene.camera.RenderFromWorld();
+    const Transform &renderFromWorld = Placement(scene.camera).renderFromWorld;
     const std::vector<ShapeEntity> moving =
         builder.AddResting(description.shapes, &renderFromWorld);
     builder.AddObjects();

@@ -16,7 +16,7 @@ struct MaterialTable {
     std::vector<MaterialId> unnamed;
     NamedMaterials named;
     MaterialId fallback = 0;                          ///< the default material, diffuse 0.5
-    std::map<MaterialId, std::string_view> laidByUV;  ///< see LaidByUV; those where it is not empty
+    std::map<MaterialId, std::string_view> laidByUV;  ///< MaterialSet::LaidByUV, where not empty
     std::set<MaterialId> texturedByUV;                ///< some texture looks at the surface's uv
 };
 /// Takes the unnamed ones out of the description; of those that say the same, one is made.

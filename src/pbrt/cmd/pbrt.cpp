@@ -139,16 +139,16 @@ struct Times {
 void AddMetadata(const RenderScene &scene, const RenderStats &stats, ImageMetadata *metadata) {
     metadata->renderTimeSeconds = float(stats.seconds);
     metadata->samplesPerPixel = int(stats.samplesPerPixel);
-    metadata->cameraFromWorld = scene.camera.CameraFromWorld().Matrix();
-    metadata->ndcFromWorld = scene.camera.NDCFromWorld().Matrix();
+    metadata->cameraFromWorld = Placement(scene.camera).cameraFromWorld.Matrix();
+    metadata->ndcFromWorld = NDCFromWorld(scene.camera).Matrix();
 }
 
 void PrintWarnings(const RenderScene &scene) {
     const auto print = [](const std::string &text) {
         if (!text.empty()) Say(fmt::format("Warning: {}\n", text));
     };
-    for (const Material &m : scene.materials)
-        print(Warnings(m));
+    for (const std::string &text : scene.materials.Warnings())
+        print(text);
     for (const MixMaterial &m : scene.mixes)
         print(m.Warnings());
 }

@@ -64,8 +64,8 @@ const FeatherBarbuleMaterial::Vane &FeatherBarbuleMaterial::VaneAt(
     return constantVane ? *constantVane : room->emplace(MakeVane<float>(ctx));
 }
 
-FeatherSurface FeatherBarbuleMaterial::GetSurface(const TextureEvalContext &ctx,
-                                                  const SampledWavelengths &lambda) const {
+FeatherSurface FeatherBarbuleMaterial::GetPacketInput(const TextureEvalContext &ctx,
+                                                      const SampledWavelengths &lambda) const {
     std::optional<Vane> room;
     FeatherSurface surface{VaneAt(ctx, &room), values[Thickness].Evaluate(ctx), {}};
     const SampledSpectrum etas = eta.Sample(lambda), reflectance = melanin.Evaluate(ctx, lambda);

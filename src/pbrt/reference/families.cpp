@@ -8,7 +8,9 @@
 #include "pbrt/build/build_scene.h"
 #include "pbrt/build/build_shapes.h"
 #include "pbrt/integrators/integrators.h"
-#include "pbrt/textures/texture_builder.h"
+#include "pbrt/materials/materials.h"
+#include "pbrt/materials/mix.h"
+#include "pbrt/textures/textures.h"
 
 namespace pbrt::reference {
 namespace {
@@ -42,22 +44,21 @@ void CreateNamedMaterial(std::string_view type, ParamDict &params) {
 void CreateTexture(std::string_view type, ParamDict &params, bool isFloat) {
     NamedTextures none;
     TextureBuilder builder{params, none, Transform()};
-    for (const TextureClass &c : TextureClasses()) {
-        if (c.name != type) continue;
+    TextureTypes::Visit(type, [&]<typename T>() {
         if (isFloat)
-            c.createFloat(builder);
+            T::CreateFloat(builder);
         else
-            c.createSpectrum(builder);
-    }
+            T::CreateSpectrum(builder);
+    });
     params.ReportUnused();
 }
 
 constexpr std::array kFamilies{
     Family{"film", "Film", [] { return From(FilmTypes::kNames); },
            [](std::string_view type, ParamDict &params) { Film::Create(type, params, {}); }},
-    Family{"camera", "Camera", [] { return From(Camera::Names()); },
+    Family{"camera", "Camera", [] { return From(CameraTypes::kNames); },
            [](std::string_view type, ParamDict &params) {
-               Camera::Create(type, params, SceneDescription(), kResolution);
+               CreateCamera(type, params, SceneDescription(), kResolution);
            }},
     Family{"sampler", "Sampler", [] { return From(SamplerTypes::kNames); },
            [](std::string_view type, ParamDict &params) {
@@ -77,10 +78,10 @@ constexpr std::array kFamilies{
         "area light", "AreaLightSource", [] { return From(AreaLightNames()); },
         [](std::string_view type, ParamDict &params) { CreateAreaLights(type, params, Sphere()); }},
     Family{"material", "Material", [] { return MaterialNames(); }, CreateNamedMaterial},
-    Family{"float texture", "Texture \"name\" \"float\"", [] { return From(TextureClassNames()); },
+    Family{"float texture", "Texture \"name\" \"float\"", [] { return From(TextureTypes::kNames); },
            [](std::string_view type, ParamDict &params) { CreateTexture(type, params, true); }},
     Family{"spectrum texture", "Texture \"name\" \"spectrum\"",
-           [] { return From(TextureClassNames()); },
+           [] { return From(TextureTypes::kNames); },
            [](std::string_view type, ParamDict &params) { CreateTexture(type, params, false); }},
 };
 

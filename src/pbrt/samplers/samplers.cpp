@@ -8,31 +8,14 @@ namespace {
 constexpr int kMaxStrata = 1 << 10;
 constexpr int kMaxZSobolResolution = 1 << 16;
 
-constexpr IntParam PixelSamples(int def) {
-    return {"pixelsamples", def, 1, kMaxSamplesPerPixel,
-            "samples per pixel, unless --spp is given"};
-}
 constexpr IntParam kXSamples{"xsamples", 4, 1, kMaxStrata, "cells of a pixel across"};
 constexpr IntParam kYSamples{"ysamples", 4, 1, kMaxStrata, "cells of a pixel down"};
 constexpr BoolParam kJitter{"jitter", true,
                             "samples lie anywhere in their cells, not in the middle"};
-constexpr IntParam kSeed{"seed", 0, kLeastInt, kMostInt,
-                         "of the random numbers; not given: that of Option or --seed"};
 constexpr std::array<std::string_view, 4> kRandomizations{"none", "permutedigits", "owen",
                                                           "fastowen"};
 constexpr ChoiceParam kRandomization{"randomization", kRandomizations[3], kRandomizations,
                                      "what is done to the digits of the Sobol' points"};
-
-int ReadSamples(ParamDict &params, int def, const SamplerContext &context) {
-    const int written = params.GetOneInt(PixelSamples(def));
-    return context.spp.value_or(written);
-}
-
-int ReadSeed(ParamDict &params, const SamplerContext &context) {
-    IntParam row = kSeed;
-    row.def = context.seed;
-    return params.GetOneInt(row);
-}
 
 /// The two factors of n that are nearest to each other, the larger first.
 Point2i NearlySquare(int n) {

@@ -9,9 +9,6 @@
 
 namespace pbrt {
 
-/// One spectrum texture in its roles, indexed by SpectrumType. Empty where RGB values above 1
-/// forbid the role of albedo.
-using SpectrumByRole = std::array<std::optional<SpectrumTexture>, 3>;
 inline constexpr std::array<SpectrumType, 3> kSpectrumRoles{
     SpectrumType::Albedo, SpectrumType::Unbounded, SpectrumType::Illuminant};
 
@@ -27,14 +24,5 @@ struct TextureBuilder {
     /// The parameter in every role (the row's is not looked at); the row's default where not given.
     SpectrumByRole Spectra(SpectrumParam row);
 };
-
-/// A texture class as the scene language knows it. New classes: a header with a struct of these
-/// three members, and its line in texture_classes.cpp.
-struct TextureClass {
-    std::string_view name;
-    FloatTexture (*createFloat)(TextureBuilder &);
-    SpectrumByRole (*createSpectrum)(TextureBuilder &);
-};
-std::span<const TextureClass> TextureClasses();
 
 }  // namespace pbrt
