@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "pbrt/build/render_scene.h"
+#include "pbrt/lights/light_sampler.h"
 #include "pbrt/util/rng.h"
 #include "pbrt/util/sampling.h"
 

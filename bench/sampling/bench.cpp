@@ -26,7 +26,7 @@ RenderTask Load(const char *fileName, int spp, int seed) {
     Overrides overrides;
     overrides.spp = spp;
     overrides.film.quick = true;
-    std::optional<RenderTask> task = MakeRenderTask(description, overrides, log);
+    std::optional<RenderTask> task = MakeRenderTask(std::move(description), overrides, log);
     for (const Message &m : log.Messages())
         std::fprintf(stderr, "%s\n", m.text.c_str());
     if (!task) std::exit(1);

@@ -23,7 +23,7 @@ TEST_P(BrokenPlugin, SaysWhatIsExpected) {
     const auto build = [](const std::string &file, Diagnostics &log) {
         SceneDescription scene;
         ParseFiles({file}, scene, log);
-        EXPECT_FALSE(MakeRenderTask(scene, {}, log));
+        EXPECT_FALSE(MakeRenderTask(std::move(scene), {}, log));
     };
     ExpectMessages(kFolder, GetParam(), build, AllNames());
 }

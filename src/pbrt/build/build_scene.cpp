@@ -88,7 +88,7 @@ void BuildLights(const SceneDescription &description, const std::vector<Emissive
 
 }  // namespace
 
-std::unique_ptr<RenderScene> BuildScene(SceneDescription &description,
+std::unique_ptr<RenderScene> BuildScene(SceneDescription &&description,
                                         const SceneOverrides &overrides, Diagnostics &log) {
     auto scene = std::make_unique<RenderScene>();
     scene->options = description.options;

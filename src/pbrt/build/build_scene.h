@@ -14,9 +14,9 @@ struct SceneOverrides {
 };
 
 /// Makes everything the description names. Mistakes go to the log; where there are any, nullptr is
-/// returned (after as many as possible have been found). The description is left without shapes and
-/// unnamed materials, which are let go as they are built.
-std::unique_ptr<RenderScene> BuildScene(SceneDescription &description,
+/// returned (after as many as possible have been found). The description is used up: shapes and
+/// unnamed materials are let go as they are built.
+std::unique_ptr<RenderScene> BuildScene(SceneDescription &&description,
                                         const SceneOverrides &overrides, Diagnostics &log);
 
 }  // namespace pbrt

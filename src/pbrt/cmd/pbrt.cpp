@@ -211,7 +211,7 @@ cli::Outcome Run(Arguments &a) {
     ParseFiles(a.files, description, log);
     times.parse = Seconds(start);
     start = std::chrono::steady_clock::now();
-    const std::optional<RenderTask> task = MakeRenderTask(description, a.overrides, log);
+    const std::optional<RenderTask> task = MakeRenderTask(std::move(description), a.overrides, log);
     times.build = Seconds(start);
     std::optional<MseLog> mse;
     if (task) mse = OpenMseLog(*task, log);

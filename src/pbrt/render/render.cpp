@@ -140,12 +140,12 @@ int RenderTask::SamplesPerPixel() const {
     return Dispatch(scene->sampler, [](const auto &s) { return s.SamplesPerPixel(); });
 }
 
-std::optional<RenderTask> MakeRenderTask(SceneDescription &description, const Overrides &overrides,
+std::optional<RenderTask> MakeRenderTask(SceneDescription &&description, const Overrides &overrides,
                                          Diagnostics &log) {
     RenderTask task;
     task.integrator = CreateIntegrator(description, log);
     task.targetError = overrides.targetError;
-    task.scene = BuildScene(description, overrides, log);
+    task.scene = BuildScene(std::move(description), overrides, log);
     if (!task.scene || log.HasErrors()) return {};
     Dispatch(task.integrator, [&]<typename I>(I &integrator) {
         integrator.Preprocess(*task.scene);
