@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "pbrt/build/render_scene.h"
+#include "pbrt/build/visit_bsdf.h"
 #include "pbrt/bxdfs/albedo.h"
 #include "pbrt/bxdfs/diffuse_bxdf.h"
 #include "pbrt/materials/materials.h"
@@ -34,8 +34,6 @@ DiffuseBxDF DiffuseOf(const B &bxdf, Vector3f wo) {
     return DiffuseBxDF(albedo);
 }
 
-/// Calls visit(frame, bxdf) with the BSDF of the surface that `ray` hits, whatever its material; a
-/// mix chooses. The material may terminate wavelengths. All calls return the same type.
 template <typename F>
 decltype(auto) VisitBSDF(const RenderScene &scene, const Hit &hit, const SurfaceInteraction &sp,
                          const Ray &ray, SampledWavelengths *lambda, F &&visit) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pbrt/build/surface_bsdf.h"
+#include "pbrt/build/visit_bsdf.h"
 #include "pbrt/integrators/found_light.h"
 #include "pbrt/integrators/max_depth.h"
 #include "pbrt/lights/light_sampler.h"
