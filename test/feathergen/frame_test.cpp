@@ -2,6 +2,7 @@
 
 #include "grow_test.h"
 #include "pbrt/feathergen/vane_grid.h"
+#include "pbrt/materials/materials.h"
 #include "pbrt/util/rng.h"
 
 namespace pbrt::feathergen {

@@ -79,7 +79,9 @@ TYPED_TEST(EveryTexture, SpectraLieInTheRangeOfTheirRole) {
                 EXPECT_TRUE(s.IsFinite()) << example;
                 for (int k = 0; k < NSpectrumSamples; ++k) {
                     EXPECT_GE(s[k], 0) << example;
-                    if (role == SpectrumType::Albedo) EXPECT_LE(s[k], 1) << example;
+                    if (role == SpectrumType::Albedo) {
+                        EXPECT_LE(s[k], 1) << example;
+                    }
                 }
             }
         }
