@@ -43,6 +43,7 @@ class BatchTracer final : public Tracer {
         DCHECK(what.Size() <= kBatchSize);
         batch = what;
         rays = &counts;
+        paths.clamped = &counts.clamped;
         StartPaths();
         for (int dimension = kFirstVertexDimension; paths.queue->Size() > 0;
              dimension += VertexNumbers::kDimensions)
@@ -156,8 +157,8 @@ class BatchTracer final : public Tracer {
         UintX16 kind = met ? Gather(kindOf.data(), geometry) : UintX16{};
         ForEachLane(met & BitsOf(kind == kMix), [&](int i) {
             const Ray ray = packet.At(i);
-            material[i] = uint32_t(scene.MaterialMet(MaterialId(material[i]),
-                                                     scene.SurfaceAt(hits.At(i), ray), ray.d));
+            material[i] = uint32_t(scene.MaterialMet(
+                MaterialId(material[i]), scene.SurfaceAt(hits.At(i), ray), ray.d, paths.clamped));
             kind[i] = MaterialGroup(material[i]);
         });
         Scatter(&paths.material[0], place, material, met);

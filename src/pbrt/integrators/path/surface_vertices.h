@@ -93,7 +93,7 @@ class SurfaceVertices {
 
     const TextureEvalContext &ContextAt(int i) const { return contexts[kUniform ? 0 : size_t(i)]; }
     void SetContexts() {
-        if constexpr (!kUniform) scene.TextureContexts(sp, lanes, &contexts);
+        if constexpr (!kUniform) scene.TextureContexts(sp, lanes, batch.clamped, &contexts);
     }
 
     void SetFrames() {
