@@ -67,11 +67,9 @@ SurfaceInteraction RenderScene::SurfaceAtWithoutError(const Hit &hit, const Ray 
 template <typename T>
 TextureFootprint<T> RenderScene::FootprintAt(const SurfaceInteractionT<T> &sp) const {
     // Sampling finer than a pixel deserves finer look-ups.
-    const float scale =
-        std::max(0.125f, 1 / std::sqrt(float(std::visit(
-                                 [](const auto &s) { return s.SamplesPerPixel(); }, sampler))));
+    const float scale = std::max(0.125f, 1 / std::sqrt(float(SamplesPerPixel(sampler))));
     TextureFootprint<T> f;
-    camera.ApproximateStep(sp.p, sp.n, scale, &f.dpdx, &f.dpdy);
+    ApproximateStep(camera, sp.p, sp.n, scale, &f.dpdx, &f.dpdy);
     // Least squares for (du, dv) in dp = dpdu du + dpdv dv.
     const T a = Dot(sp.dpdu, sp.dpdu), b = Dot(sp.dpdu, sp.dpdv), c = Dot(sp.dpdv, sp.dpdv);
     const T det = a * c - b * b;
@@ -113,7 +111,7 @@ bool RenderScene::HasNullTransmission(MaterialId id) const {
     if (options.forceDiffuse) return false;
     if (const MixMaterial *mix = AsMix(id))
         return HasNullTransmission(mix->materials[0]) || HasNullTransmission(mix->materials[1]);
-    return id >= 0 && pbrt::HasNullTransmission(materials[id]);
+    return id >= 0 && materials.Facts(size_t(id)).nullTransmission;
 }
 
 }  // namespace pbrt

@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "pbrt/accel/accel.h"
-#include "pbrt/cameras/camera.h"
+#include "pbrt/cameras/cameras.h"
 #include "pbrt/films/film.h"
 #include "pbrt/filters/filters.h"
 #include "pbrt/lights/lights.h"
-#include "pbrt/materials/material.h"
+#include "pbrt/materials/material_set.h"
 #include "pbrt/materials/mix.h"
 #include "pbrt/samplers/samplers.h"
 
@@ -21,7 +21,7 @@ struct RenderScene {
     std::vector<Geometry> geometries;
     std::vector<ObjectRange> objects;
     std::vector<Instance> instances;
-    std::vector<Material> materials;
+    MaterialSet materials;
     std::vector<MixMaterial> mixes;  ///< their ids start at kFirstMix
     std::vector<Light> lights;
     std::deque<Shape> emitterShapes;  ///< of lights whose form is not a geometry's
@@ -35,7 +35,6 @@ struct RenderScene {
     Options options;
     bool filtersTextures = false;  ///< some texture reads the steps per pixel
     bool isAnimated = false;       ///< time matters
-    std::vector<bool> uniform;     ///< by material: see IsUniform
 
     /// Index of the light that a hit on an emissive geometry belongs to.
     static int LightOf(const Geometry &geometry, uint32_t primitive) {

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "pbrt/build/surface_bsdf.h"
+#include "pbrt/build/visit_bsdf.h"
 #include "pbrt/integrators/found_light.h"
+#include "pbrt/integrators/max_depth.h"
 #include "pbrt/util/sampling.h"
 
 namespace pbrt {
@@ -16,7 +17,7 @@ class RandomWalkIntegrator {
 
     static RandomWalkIntegrator Create(ParamDict &params) {
         RandomWalkIntegrator i;
-        i.maxDepth = params.GetOneInt("maxdepth", 5, 0, 1 << 20);
+        i.maxDepth = params.GetOneInt(kMaxDepth);
         return i;
     }
     void Preprocess(const RenderScene &) {}

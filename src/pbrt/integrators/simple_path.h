@@ -1,7 +1,8 @@
 #pragma once
 
-#include "pbrt/build/surface_bsdf.h"
+#include "pbrt/build/visit_bsdf.h"
 #include "pbrt/integrators/found_light.h"
+#include "pbrt/integrators/max_depth.h"
 #include "pbrt/lights/light_sampler.h"
 #include "pbrt/util/sampling.h"
 
@@ -18,12 +19,16 @@ class SimplePathIntegrator {
   public:
     static constexpr std::string_view kName = "simplepath";
     static constexpr IntegratorTraits kTraits{};
+    static constexpr BoolParam kSampleLights{"samplelights", true,
+                                             "lights are sampled at every vertex"};
+    static constexpr BoolParam kSampleBSDF{"samplebsdf", true,
+                                           "directions are drawn from the BSDF, else evenly"};
 
     static SimplePathIntegrator Create(ParamDict &params) {
         SimplePathIntegrator i;
-        i.maxDepth = params.GetOneInt("maxdepth", 5, 0, 1 << 20);
-        i.sampleLights = params.GetOneBool("samplelights", true);
-        i.sampleBSDF = params.GetOneBool("samplebsdf", true);
+        i.maxDepth = params.GetOneInt(kMaxDepth);
+        i.sampleLights = params.GetOneBool(kSampleLights);
+        i.sampleBSDF = params.GetOneBool(kSampleBSDF);
         return i;
     }
     void Preprocess(const RenderScene &scene) {

@@ -3,22 +3,25 @@
 namespace pbrt {
 namespace {
 
-constexpr FloatParam kRoughness{"roughness", "", 0, 0, 1e6f, "microfacet roughness"};
-constexpr FloatParam kURoughness{"uroughness", "", 0, 0, 1e6f, "roughness along dp/du"};
-constexpr FloatParam kVRoughness{"vroughness", "", 0, 0, 1e6f, "roughness along dp/dv"};
+constexpr FloatParam kRoughness{"roughness", "", 0, 0, 1e6f, "microfacet roughness; 0: smooth"};
+constexpr FloatParam kURoughness{
+    "uroughness", "", 0, 0, 1e6f, "roughness along dp/du; not given: roughness"};
+constexpr FloatParam kVRoughness{
+    "vroughness", "", 0, 0, 1e6f, "roughness along dp/dv; not given: roughness"};
+constexpr BoolParam kRemap{"remaproughness", true,
+                           "microfacet alpha is the square root of the roughness, not itself"};
 
 }  // namespace
 
 Roughness Roughness::Create(ParamDict &params, const NamedTextures &named) {
     const BoundedTexture both(params, named, kRoughness);
     const auto overridden = [&](const FloatParam &row) {
-        const bool given = params.Has(row.name, "float") || params.Has(row.name, "texture");
-        return given ? BoundedTexture(params, named, row) : both;
+        return params.HasOrTexture(row) ? BoundedTexture(params, named, row) : both;
     };
     Roughness r;
     r.u = overridden(kURoughness);
     r.v = overridden(kVRoughness);
-    r.remap = params.GetOneBool("remaproughness", true);
+    r.remap = params.GetOneBool(kRemap);
     return r;
 }
 

@@ -19,12 +19,12 @@ struct Roughness {
     bool IsUniform() const {
         return u.IsConstant() && v.IsConstant() && u.Constant() == v.Constant();
     }
-    /// See LaidByUV of materials.
+    /// See MaterialTraits::laidByUV.
     std::string_view LaidByUV() const {
         const bool differ = u.IsConstant() && v.IsConstant() && u.Constant() != v.Constant();
         return differ ? "directions of roughness" : "";
     }
-    /// See Warnings of materials.
+    /// See MaterialTraits::warns.
     std::string Warnings(std::string_view owner) const;
 };
 
