@@ -1,4 +1,5 @@
 #include <complex>
+#include <numeric>
 
 #include "pbrt/bsdftool/bench_cases.h"
 #include "pbrt/bsdftool/bench_model.h"
@@ -47,7 +48,7 @@ BenchCase SeriesCase(const std::string &name) {
                             for (int i = 0; i < N; ++i)
                                 R[i] = SeriesReflectance<T>(kBenchLambda[i], kThickness, kEta,
                                                             in.wo.z);
-                            return float(feather::Sum(R));
+                            return float(std::accumulate(R.begin(), R.end(), T(0)));
                         })});
     return c;
 }
@@ -67,7 +68,7 @@ std::vector<BenchCase> FilmCases() {
                                std::array<float, N> R;
                                for (int i = 0; i < N; ++i)
                                    R[i] = films[i].Reflectance(in.wo.z);
-                               return feather::Sum(R);
+                               return std::accumulate(R.begin(), R.end(), 0.f);
                            })});
     return {real, SeriesCase<float>("film, complex series"),
             SeriesCase<double>("film, series in double")};

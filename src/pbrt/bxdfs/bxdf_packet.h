@@ -4,7 +4,7 @@
 
 #include "pbrt/bxdfs/bxdf.h"
 #include "pbrt/bxdfs/diffuse.h"
-#include "pbrt/util/wide.h"
+#include "pbrt/util/vecmath_simd.h"
 
 namespace pbrt {
 
@@ -19,7 +19,7 @@ struct BxDFSamples {
     std::array<SampledSpectrum, kPacketSize> f;
     Vector3fX16 wi{};
     FloatX16 pdf{};
-    FloatX16 eta = Broadcast16(1.f);
+    FloatX16 eta = 1;
     LaneBits valid = 0, specular = 0, nullTransmission = 0, transmission = 0;
 };
 
@@ -36,7 +36,7 @@ class BxDFPacket {
         ForEachLane(active, [&](int i) {
             const BSDFEval both = Evaluate(*lanes[size_t(i)], Lane(wo, i), Lane(wi, i));
             values.f[size_t(i)] = both.f;
-            values.pdf[i] = both.pdf;
+            values.pdf.Set(i, both.pdf);
         });
         return values;
     }
@@ -50,8 +50,8 @@ class BxDFPacket {
             if (!s) return;
             samples.f[size_t(i)] = s->f;
             SetLane(&samples.wi, i, s->wi);
-            samples.pdf[i] = s->pdf;
-            samples.eta[i] = s->eta;
+            samples.pdf.Set(i, s->pdf);
+            samples.eta.Set(i, s->eta);
             samples.valid |= LaneBits(1) << i;
             samples.specular |= LaneBits(IsSpecular(s->flags)) << i;
             samples.nullTransmission |= LaneBits(Has(s->flags, BxDFFlags::NullTransmission)) << i;

@@ -90,7 +90,7 @@ class Film {
 
   private:
     /// RGB of L by the matching curves, neither exposed nor clamped.
-    SampledSpectrum::Lanes Matched(SampledSpectrum L, const SampledWavelengths &lambda) const;
+    FloatX4 Matched(SampledSpectrum L, const SampledWavelengths &lambda) const;
     std::vector<std::string> AOVNames() const;
     /// Memory that the pixels take until the picture is written, all at a time: sums, picture,
     /// file.

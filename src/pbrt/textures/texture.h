@@ -10,7 +10,7 @@
 #include "pbrt/scene/params.h"
 #include "pbrt/spectra/spectrum.h"
 #include "pbrt/util/vecmath.h"
-#include "pbrt/util/wide.h"
+#include "pbrt/util/vecmath_simd.h"
 
 namespace pbrt {
 
