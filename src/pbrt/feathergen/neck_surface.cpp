@@ -9,7 +9,7 @@
 namespace pbrt::feathergen {
 namespace {
 
-Vec3d Convert<double>(Vector3f v) {
+Vec3d ToDouble(Vector3f v) {
     return {v.x, v.y, v.z};
 }
 
@@ -76,8 +76,8 @@ std::vector<SurfaceSample> SampleSurface(const Mesh &mesh, Vec3d flow, size_t co
     std::vector<double> areas;
     double total = 0, begin = Infinity, end = -Infinity;
     for (const Point3f &p : mesh.p) {
-        begin = std::min(begin, Dot(Convert<double>(p), flow));
-        end = std::max(end, Dot(Convert<double>(p), flow));
+        begin = std::min(begin, Dot(ToDouble(p), flow));
+        end = std::max(end, Dot(ToDouble(p), flow));
     }
     for (size_t i = 0; i < mesh.indices.size(); i += 3) {
         const uint32_t *k = &mesh.indices[i];
@@ -95,8 +95,8 @@ std::vector<SurfaceSample> SampleSurface(const Mesh &mesh, Vec3d flow, size_t co
         const double w[3] = {1 - root, root * (1 - split), root * split};
         SurfaceSample s{};
         for (int j = 0; j < 3; ++j) {
-            s.p += w[j] * Convert<double>(mesh.p[k[j]]);
-            s.n += w[j] * Convert<double>(mesh.n[k[j]]);
+            s.p += w[j] * ToDouble(mesh.p[k[j]]);
+            s.n += w[j] * ToDouble(mesh.n[k[j]]);
         }
         if (!(LengthSquared(s.n) > 0)) s.n = {0, 0, 1};
         s.n = Normalize(s.n);
