@@ -167,7 +167,7 @@ int Main(int argc, char **argv) {
     Diagnostics log;
     SceneDescription scene;
     ParseFiles({argv[1]}, scene, log);
-    const std::unique_ptr<RenderScene> world = BuildScene(scene, {}, log);
+    const std::unique_ptr<RenderScene> world = BuildScene(std::move(scene), {}, log);
     for (const Message &m : log.Messages())
         std::fprintf(stderr, "%s\n", m.text.c_str());
     if (!world) return 1;

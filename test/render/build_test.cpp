@@ -22,7 +22,7 @@ TEST(Build, MaterialsThatSayTheSameAreOne) {
                 "test.pbrt", "", scene, log);
     ASSERT_EQ(log.ErrorCount(), 1);  // the undefined one
     log = {};
-    const std::unique_ptr<RenderScene> world = BuildScene(scene, {}, log);
+    const std::unique_ptr<RenderScene> world = BuildScene(std::move(scene), {}, log);
     ASSERT_TRUE(world);
     std::vector<int> materials;
     for (const Geometry &g : world->geometries)

@@ -38,11 +38,11 @@ TEST(RenderingSpace, IsTheWorldOrTheWorldMoved) {
             i % 2 ? "Scale -1 1 1\n" : "", eye.x, eye.y, eye.z, number(), number(), number(),
             number(), number(), number());
         const Transform inWorld = CameraOf(In("world", camera)).RenderFromWorld();
-        EXPECT_TRUE(inWorld.IsIdentity());
+        EXPECT_TRUE(inWorld == Transform());
         const Camera moved = CameraOf(In("cameraworld", camera));
         EXPECT_EQ(moved.RenderFromWorld(), Transform::Translate(-eye));
         EXPECT_EQ(moved.RenderFromCamera().Point({}), Point3f{});
-        EXPECT_TRUE(CameraOf(In("camera", camera)).RenderFromCamera().IsIdentity());
+        EXPECT_TRUE(CameraOf(In("camera", camera)).RenderFromCamera() == Transform());
     }
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pbrt/util/read_file.h"
+#include "pbrt/util/result.h"
 #include "pbrt/util/vecmath.h"
 
 namespace pbrt {
@@ -46,6 +47,7 @@ class Image {
     float Get(Point2i p, int c) const { return pixels[Offset(p) + c]; }
     void Set(Point2i p, int c, float v) { pixels[Offset(p) + c] = v; }
     const float *Pixel(Point2i p) const { return &pixels[Offset(p)]; }
+    float *Pixel(Point2i p) { return &pixels[Offset(p)]; }
     const std::vector<float> &Data() const { return pixels; }
     std::vector<float> &Data() { return pixels; }
 
@@ -64,14 +66,6 @@ struct ColorEncoding {
     float gamma = 1;
     float ToLinear(float encoded) const;
     float FromLinear(float linear) const;
-};
-
-/// Either a value or the reason why there is none (a sentence for the user, file name included).
-template <typename T>
-struct OrError {
-    std::optional<T> value;
-    std::string error;
-    explicit operator bool() const { return value.has_value(); }
 };
 
 /// Reads EXR, PNG, JPEG, PFM and Radiance HDR, told apart by their first bytes. PNG and JPEG are

@@ -1,12 +1,12 @@
-// `Option "name" value` (PBRT_FORMAT 1.4).
+#include "pbrt/scene/option_directive.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 
 #include "pbrt/scene/number.h"
-#include "pbrt/scene/parser.h"
 
 namespace pbrt {
 namespace {
@@ -26,80 +26,81 @@ std::string Normalised(std::string_view name) {
     return plain;
 }
 
+void SkipValue(DirectiveContext &c) {
+    const Token &t = c.arguments.Peek();
+    const bool word = t.kind == TokenKind::Word && !c.arguments.IsDirective(t);
+    if (word || t.kind == TokenKind::String) return c.arguments.Advance();
+    c.arguments.Resynchronise();
+}
+
+void ReadFlag(DirectiveContext &c, bool *flag) {
+    const Token &t = c.arguments.Peek();
+    if (t.kind == TokenKind::Word && (t.text == "true" || t.text == "false"))
+        *flag = t.text == "true";
+    else
+        c.arguments.Expected("true or false without quotes");
+    SkipValue(c);
+}
+
+void ReadInt(DirectiveContext &c, int *value) {
+    const Token &t = c.arguments.Peek();
+    const std::optional<int> number = t.kind == TokenKind::Word ? ParseInt(t.text) : std::nullopt;
+    if (number)
+        *value = *number;
+    else
+        c.arguments.Expected("an integer");
+    SkipValue(c);
+}
+
+void ReadString(DirectiveContext &c, std::string *value) {
+    const Token &t = c.arguments.Peek();
+    if (t.kind == TokenKind::String)
+        *value = t.text;
+    else
+        c.arguments.Expected("a quoted string");
+    SkipValue(c);
+}
+
+void ReadCoordSys(DirectiveContext &c) {
+    const FileLoc loc = c.arguments.Loc();
+    std::string value = c.scene->options.renderCoordSys;
+    ReadString(c, &value);
+    if (std::find(kCoordSys.begin(), kCoordSys.end(), value) == kCoordSys.end())
+        return c.arguments.Error(
+            loc, fmt::format("\"{}\" is not one of {}{}", value, QuotedList(kCoordSys),
+                             DidYouMean(value, kCoordSys)));
+    c.scene->options.renderCoordSys = value;
+}
+
 }  // namespace
 
 std::span<const std::string_view> OptionNames() {
     return kNames;
 }
 
-void Parser::Option() {
-    const FileLoc loc = lexer->Loc();
-    const std::optional<std::string> given = Name("the option's name");
+void ReadOption(DirectiveContext &c) {
+    const FileLoc loc = c.arguments.Loc();
+    const std::optional<std::string> given = c.arguments.Name("the option's name");
     if (!given) return;
     const std::string name = Normalised(*given);
-    Options &o = scene->options;
-    if (name == "disablepixeljitter") return OptionFlag(&o.disablePixelJitter);
-    if (name == "disablewavelengthjitter") return OptionFlag(&o.disableWavelengthJitter);
-    if (name == "disabletexturefiltering") return OptionFlag(&o.disableTextureFiltering);
-    if (name == "forcediffuse") return OptionFlag(&o.forceDiffuse);
-    if (name == "seed") return OptionInt(&o.seed);
-    if (name == "msereferenceimage") return OptionString(&o.mseReferenceImage);
-    if (name == "msereferenceout") return OptionString(&o.mseReferenceOut);
-    if (name == "rendercoordsys") return OptionCoordSys();
+    Options &o = c.scene->options;
+    if (name == "disablepixeljitter") return ReadFlag(c, &o.disablePixelJitter);
+    if (name == "disablewavelengthjitter") return ReadFlag(c, &o.disableWavelengthJitter);
+    if (name == "disabletexturefiltering") return ReadFlag(c, &o.disableTextureFiltering);
+    if (name == "forcediffuse") return ReadFlag(c, &o.forceDiffuse);
+    if (name == "seed") return ReadInt(c, &o.seed);
+    if (name == "msereferenceimage") return ReadString(c, &o.mseReferenceImage);
+    if (name == "msereferenceout") return ReadString(c, &o.mseReferenceOut);
+    if (name == "rendercoordsys") return ReadCoordSys(c);
     if (std::find(kNames.begin(), kNames.end(), name) == kNames.end()) {
         const bool typed = given->find(' ') != given->npos;
-        Error(loc, fmt::format("unknown option \"{}\"{}", *given,
-                               typed ? std::string("; write its name without a type")
-                                     : DidYouMean(name, kNames)));
-        return SkipOptionValue();
+        c.arguments.Error(loc, fmt::format("unknown option \"{}\"{}", *given,
+                                           typed ? std::string("; write its name without a type")
+                                                 : DidYouMean(name, kNames)));
+        return SkipValue(c);
     }
-    log->Warning(loc, fmt::format("Option: \"{}\" has no effect in this renderer", *given));
-    SkipOptionValue();
-}
-
-void Parser::SkipOptionValue() {
-    const Token &t = lexer->Peek();
-    const bool word = t.kind == TokenKind::Word && !FindDirective(t.text);
-    if (word || t.kind == TokenKind::String) return lexer->Advance();
-    Resynchronise();
-}
-
-void Parser::OptionFlag(bool *flag) {
-    const Token &t = lexer->Peek();
-    if (t.kind == TokenKind::Word && (t.text == "true" || t.text == "false"))
-        *flag = t.text == "true";
-    else
-        Expected("true or false without quotes");
-    SkipOptionValue();
-}
-
-void Parser::OptionInt(int *value) {
-    const Token &t = lexer->Peek();
-    const std::optional<int> number = t.kind == TokenKind::Word ? ParseInt(t.text) : std::nullopt;
-    if (number)
-        *value = *number;
-    else
-        Expected("an integer");
-    SkipOptionValue();
-}
-
-void Parser::OptionString(std::string *value) {
-    const Token &t = lexer->Peek();
-    if (t.kind == TokenKind::String)
-        *value = t.text;
-    else
-        Expected("a quoted string");
-    SkipOptionValue();
-}
-
-void Parser::OptionCoordSys() {
-    const FileLoc loc = lexer->Loc();
-    std::string value = scene->options.renderCoordSys;
-    OptionString(&value);
-    if (std::find(kCoordSys.begin(), kCoordSys.end(), value) == kCoordSys.end())
-        return Error(loc, fmt::format("\"{}\" is not one of {}{}", value, QuotedList(kCoordSys),
-                                      DidYouMean(value, kCoordSys)));
-    scene->options.renderCoordSys = value;
+    c.log->Warning(loc, fmt::format("Option: \"{}\" has no effect in this renderer", *given));
+    SkipValue(c);
 }
 
 }  // namespace pbrt

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
+#include <algorithm>
+#include <string_view>
+
+#include "pbrt/util/parse_number.h"
 
 namespace pbrt {
 
@@ -12,12 +15,10 @@ std::optional<ColorEncoding> GetEncoding(ParamDict &params) {
     if (text == "sRGB") return ColorEncoding{ColorEncoding::Kind::sRGB, 1};
     if (text == "linear") return ColorEncoding{ColorEncoding::Kind::Linear, 1};
     if (text.starts_with("gamma ")) {
-        float gamma = 0;
-        const char *begin = text.data() + text.find_first_not_of(' ', 5);
-        const char *end = text.data() + text.size();
-        const auto [stop, error] = std::from_chars(begin, end, gamma);
-        if (error == std::errc() && stop == end && gamma > 0 && gamma < 100)
-            return ColorEncoding{ColorEncoding::Kind::Gamma, gamma};
+        const size_t begin = std::min(text.find_first_not_of(' ', 5), text.size());
+        const auto gamma = ParseWhole<float>(std::string_view(text).substr(begin));
+        if (gamma && *gamma > 0 && *gamma < 100)
+            return ColorEncoding{ColorEncoding::Kind::Gamma, *gamma};
     }
     params.Error("encoding",
                  fmt::format("unknown encoding \"{}\"; expected \"sRGB\", \"linear\" or "

@@ -13,14 +13,6 @@ inline float SafeASin(float x) {
     return std::asin(std::clamp(x, -1.f, 1.f));
 }
 
-/// a b - c d with an error of about 1.5 ulp, where the plain form may cancel (Kahan; Jeannerod,
-/// Louvet, Muller 2013).
-inline float DifferenceOfProducts(float a, float b, float c, float d) {
-    const float cd = c * d;
-    const float error = std::fma(-c, d, cd);
-    return std::fma(a, b, -cd) + error;
-}
-
 /// Bits 0 to 15 of x moved to the even places.
 constexpr uint32_t SpreadBits(uint32_t x) {
     x = (x | (x << 8)) & 0x00ff00ff;
