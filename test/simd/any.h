@@ -15,11 +15,20 @@ template <class T>
 T AnyNumber(std::mt19937 &random) {
     if constexpr (std::is_floating_point_v<T>) {
         using Limits = std::numeric_limits<T>;
-        const T corners[] = {0,  -T(0),         1,
-                             -1, T(0.5),        T(-2.5),
-                             3,  Limits::max(), -Limits::max(),
-                             Limits::min(),     Limits::denorm_min(),
-                             Limits::infinity(), -Limits::infinity(), Limits::quiet_NaN()};
+        const T corners[] = {0,
+                             -T(0),
+                             1,
+                             -1,
+                             T(0.5),
+                             T(-2.5),
+                             3,
+                             Limits::max(),
+                             -Limits::max(),
+                             Limits::min(),
+                             Limits::denorm_min(),
+                             Limits::infinity(),
+                             -Limits::infinity(),
+                             Limits::quiet_NaN()};
         if (random() % 2) return corners[random() % std::size(corners)];
         return std::ldexp(T(int32_t(random())), -int(random() % 40));
     } else {

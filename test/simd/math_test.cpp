@@ -34,53 +34,59 @@ TYPED_TEST_SUITE(EveryFloats, Floats);
 
 TYPED_TEST(EveryFloats, Exp) {
     for (const float scale : {1.f, 87.f})
-        ForMany<TypeParam>([&] { return this->Uniform(-scale, scale); }, [](const TypeParam &x) {
-            const TypeParam y = Exp(x);
-            for (int k = 0; k < TypeParam::kSize; ++k)
-                ASSERT_NEAR(y[k] / std::exp(double(x[k])), 1, 2e-7) << x[k];
-        });
+        ForMany<TypeParam>([&] { return this->Uniform(-scale, scale); },
+                           [](const TypeParam &x) {
+                               const TypeParam y = Exp(x);
+                               for (int k = 0; k < TypeParam::kSize; ++k)
+                                   ASSERT_NEAR(y[k] / std::exp(double(x[k])), 1, 2e-7) << x[k];
+                           });
 }
 TYPED_TEST(EveryFloats, Log) {
-    ForMany<TypeParam>([&] { return std::exp2(this->Uniform(-100, 100)); }, [](const TypeParam &x) {
-        const TypeParam y = Log(x);
-        for (int k = 0; k < TypeParam::kSize; ++k) {
-            const double exact = std::log(double(x[k]));
-            ASSERT_NEAR(y[k], exact, 1.5e-7 + 1.2e-7 * std::abs(exact)) << x[k];
-        }
-    });
+    ForMany<TypeParam>([&] { return std::exp2(this->Uniform(-100, 100)); },
+                       [](const TypeParam &x) {
+                           const TypeParam y = Log(x);
+                           for (int k = 0; k < TypeParam::kSize; ++k) {
+                               const double exact = std::log(double(x[k]));
+                               ASSERT_NEAR(y[k], exact, 1.5e-7 + 1.2e-7 * std::abs(exact)) << x[k];
+                           }
+                       });
 }
 TYPED_TEST(EveryFloats, Reciprocals) {
-    ForMany<TypeParam>([&] { return std::exp2(this->Uniform(-122, 122)); }, [](const TypeParam &x) {
-        const TypeParam inverse = RcpApprox(x), root = RsqrtApprox(x);
-        for (int k = 0; k < TypeParam::kSize; ++k) {
-            ASSERT_NEAR(double(inverse[k]) * double(x[k]), 1, 0x1p-14);
-            ASSERT_NEAR(double(root[k]) * std::sqrt(double(x[k])), 1, 0x1p-14);
-        }
-    });
+    ForMany<TypeParam>([&] { return std::exp2(this->Uniform(-122, 122)); },
+                       [](const TypeParam &x) {
+                           const TypeParam inverse = RcpApprox(x), root = RsqrtApprox(x);
+                           for (int k = 0; k < TypeParam::kSize; ++k) {
+                               ASSERT_NEAR(double(inverse[k]) * double(x[k]), 1, 0x1p-14);
+                               ASSERT_NEAR(double(root[k]) * std::sqrt(double(x[k])), 1, 0x1p-14);
+                           }
+                       });
 }
 TYPED_TEST(EveryFloats, Sines) {
-    ForMany<TypeParam>([&] { return this->Uniform(-0.5, 0.5); }, [](const TypeParam &x) {
-        const SinCosT<TypeParam> y = SinCosQuarters(x);
-        for (int k = 0; k < TypeParam::kSize; ++k) {
-            ASSERT_NEAR(y.sin[k], std::sin(double(x[k]) * M_PI / 2), 1.5e-7);
-            ASSERT_NEAR(y.cos[k], std::cos(double(x[k]) * M_PI / 2), 1.5e-7);
-        }
-    });
+    ForMany<TypeParam>([&] { return this->Uniform(-0.5, 0.5); },
+                       [](const TypeParam &x) {
+                           const SinCosT<TypeParam> y = SinCosQuarters(x);
+                           for (int k = 0; k < TypeParam::kSize; ++k) {
+                               ASSERT_NEAR(y.sin[k], std::sin(double(x[k]) * M_PI / 2), 1.5e-7);
+                               ASSERT_NEAR(y.cos[k], std::cos(double(x[k]) * M_PI / 2), 1.5e-7);
+                           }
+                       });
     for (const double range : {1., 30., 1048576.})
-        ForMany<TypeParam>([&] { return this->Uniform(-range, range); }, [](const TypeParam &x) {
-            const SinCosT<TypeParam> y = SinCosTurns(x);
-            const TypeParam square = SinSquaredPi(x);
-            const TypeParam rough = SinSquaredPiApprox<float>(3)(x);
-            for (int k = 0; k < TypeParam::kSize; ++k) {
-                const double turns = std::remainder(double(x[k]), 1);
-                const double s = std::sin(M_PI * turns), exact = s * s;
-                ASSERT_NEAR(y.sin[k], std::sin(2 * M_PI * turns), 1.5e-7) << x[k];
-                ASSERT_NEAR(y.cos[k], std::cos(2 * M_PI * turns), 1.5e-7) << x[k];
-                ASSERT_NEAR(square[k], exact, 2e-7 * exact) << x[k];
-                ASSERT_NEAR(rough[k], 3 * exact, 3 * 4.1e-5) << x[k];
-                ASSERT_GE(rough[k], 0);
-            }
-        });
+        ForMany<TypeParam>(
+            [&] { return this->Uniform(-range, range); },
+            [](const TypeParam &x) {
+                const SinCosT<TypeParam> y = SinCosTurns(x);
+                const TypeParam square = SinSquaredPi(x);
+                const TypeParam rough = SinSquaredPiApprox<float>(3)(x);
+                for (int k = 0; k < TypeParam::kSize; ++k) {
+                    const double turns = std::remainder(double(x[k]), 1);
+                    const double s = std::sin(M_PI * turns), exact = s * s;
+                    ASSERT_NEAR(y.sin[k], std::sin(2 * M_PI * turns), 1.5e-7) << x[k];
+                    ASSERT_NEAR(y.cos[k], std::cos(2 * M_PI * turns), 1.5e-7) << x[k];
+                    ASSERT_NEAR(square[k], exact, 2e-7 * exact) << x[k];
+                    ASSERT_NEAR(rough[k], 3 * exact, 3 * 4.1e-5) << x[k];
+                    ASSERT_GE(rough[k], 0);
+                }
+            });
 }
 
 TEST(SimdMath, OneNumberIsAsSeveral) {

@@ -55,14 +55,13 @@ class EveryIntSimd : public EverySimd<V> {};
 
 using Floats = testing::Types<FloatX4, Simd<float, 8>, FloatX16, Simd<double, 2>, DoubleX4,
                               DoubleX8, DoubleX16>;
-using Ints = testing::Types<IntX4, Simd<int32_t, 8>, IntX16, Simd<uint32_t, 4>, Simd<uint32_t, 8>,
-                            UintX16, Simd<uint64_t, 2>, Simd<uint64_t, 4>, Simd<uint64_t, 8>,
-                            Uint64X16>;
+using Ints =
+    testing::Types<IntX4, Simd<int32_t, 8>, IntX16, Simd<uint32_t, 4>, Simd<uint32_t, 8>, UintX16,
+                   Simd<uint64_t, 2>, Simd<uint64_t, 4>, Simd<uint64_t, 8>, Uint64X16>;
 using Everything =
     testing::Types<FloatX4, Simd<float, 8>, FloatX16, Simd<double, 2>, DoubleX4, DoubleX8,
-                   DoubleX16, IntX4, Simd<int32_t, 8>, IntX16, Simd<uint32_t, 4>,
-                   Simd<uint32_t, 8>, UintX16, Simd<uint64_t, 2>, Simd<uint64_t, 4>,
-                   Simd<uint64_t, 8>, Uint64X16>;
+                   DoubleX16, IntX4, Simd<int32_t, 8>, IntX16, Simd<uint32_t, 4>, Simd<uint32_t, 8>,
+                   UintX16, Simd<uint64_t, 2>, Simd<uint64_t, 4>, Simd<uint64_t, 8>, Uint64X16>;
 TYPED_TEST_SUITE(EverySimd, Everything);
 TYPED_TEST_SUITE(EveryFloatSimd, Floats);
 TYPED_TEST_SUITE(EveryIntSimd, Ints);
@@ -86,9 +85,12 @@ TYPED_TEST(EverySimd, Arithmetic) {
     this->Expect("+", plus, Wrapping<TypeParam>(plus));
     this->Expect("-", minus, Wrapping<TypeParam>(minus));
     this->Expect("*", times, Wrapping<TypeParam>(times));
-    this->Expect("+=", [](auto a, auto b) { return a += b; }, Wrapping<TypeParam>(plus));
-    this->Expect("-=", [](auto a, auto b) { return a -= b; }, Wrapping<TypeParam>(minus));
-    this->Expect("*=", [](auto a, auto b) { return a *= b; }, Wrapping<TypeParam>(times));
+    this->Expect(
+        "+=", [](auto a, auto b) { return a += b; }, Wrapping<TypeParam>(plus));
+    this->Expect(
+        "-=", [](auto a, auto b) { return a -= b; }, Wrapping<TypeParam>(minus));
+    this->Expect(
+        "*=", [](auto a, auto b) { return a *= b; }, Wrapping<TypeParam>(times));
 }
 TYPED_TEST(EveryFloatSimd, Division) {
     this->Expect("/", [](auto a, auto b) { return a / b; });
@@ -160,8 +162,9 @@ TYPED_TEST(EveryFloatSimd, Functions) {
     this->Expect("Round", [](auto a, auto) { return Round(a); });
     this->Expect("Floor", [](auto a, auto) { return Floor(a); });
     this->Expect("Clamp", [](auto a, auto) { return Clamp(a, -1, 2); });
-    this->Expect("MapElements", [](auto a, auto) { return MapElements([](auto e) { return e + 1; }, a); },
-                 [](auto a, auto) { return a + 1; });
+    this->Expect(
+        "MapElements", [](auto a, auto) { return MapElements([](auto e) { return e + 1; }, a); },
+        [](auto a, auto) { return a + 1; });
 }
 
 TEST(Simd, MinAndMaxAtTheirEdges) {

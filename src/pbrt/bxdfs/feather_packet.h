@@ -75,8 +75,8 @@ class BxDFPacket<FeatherSurface> {
         BxDFSamples samples;
         samples.wi = {wi.x, wi.y, wi.z};
         samples.nullTransmission = samples.specular = BitsOf(isGap) & active;
-        samples.pdf = Select(MaskOf(samples.nullTransmission), 1 - view.pigmentChance,
-                             model.PDF(view, wi));
+        samples.pdf =
+            Select(MaskOf(samples.nullTransmission), 1 - view.pigmentChance, model.PDF(view, wi));
         samples.valid = active & BitsOf(samples.pdf > 0.f) & ~BitsOf(view.grazing);
         samples.transmission =
             samples.nullTransmission | BitsOf((samples.wi.z < 0.f) != (wo.z < 0.f));

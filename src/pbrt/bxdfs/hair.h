@@ -53,9 +53,9 @@ class HairBxDF {
     /// What scatters at the fibre as seen from wo.
     struct View {
         Inclination tilted;  ///< of wo, by lobe, turned by the scales
-        FloatX4 phi;           ///< azimuth at which each lobe leaves, relative to wo; not of the last
+        FloatX4 phi;         ///< azimuth at which each lobe leaves, relative to wo; not of the last
         std::array<SampledSpectrum, kLobes> attenuation;  ///< A_p
-        FloatX4 chance;                                     ///< of each lobe, in sampling
+        FloatX4 chance;                                   ///< of each lobe, in sampling
     };
 
     static FloatX4 Variances(float beta_m);

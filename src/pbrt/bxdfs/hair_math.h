@@ -60,11 +60,12 @@ class Longitudinal {
         // where the factor e^-a goes into the exponent, and in 5 / a above.
         const auto isSmall = a < 5;
         const FloatX4 below = Min(a * a * 0.04f, 1), above = 5 / Max(a, 5);
-        const FloatX4 small = EvaluatePolynomial(below, 0.999999991f, 6.25000188f, 9.76556959f, 6.78226123f,
-                                       2.64630752f, 0.669258604f, 0.105675354f, 0.020797392f);
+        const FloatX4 small =
+            EvaluatePolynomial(below, 0.999999991f, 6.25000188f, 9.76556959f, 6.78226123f,
+                               2.64630752f, 0.669258604f, 0.105675354f, 0.020797392f);
         const FloatX4 large =
             EvaluatePolynomial(above, 0.398942237f, 0.00997722117f, 0.00107175338f, 0.000483097047f,
-                       -0.000473671231f, 0.000547792264f, -0.000138651963f) *
+                               -0.000473671231f, 0.000547792264f, -0.000138651963f) *
             Sqrt(above * 0.2f);
         return Exp(Max(Select(isSmall, E - a, E), kFloor)) * Select(isSmall, small, large) * scale;
     }

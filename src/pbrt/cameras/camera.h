@@ -40,7 +40,8 @@ class Camera {
                 rays.Set(i, GenerateRay(Lane(film, i), Lane(lens, i), time[i]));
             return rays;
         }
-        return {OriginAt(film), Normalize(DirectionAt(film)), Broadcast<16>(Infinity), TimeAt(time)};
+        return {OriginAt(film), Normalize(DirectionAt(film)), Broadcast<16>(Infinity),
+                TimeAt(time)};
     }
     const Transform &RenderFromWorld() const { return renderFromWorld; }
     const Transform &RenderFromCamera() const { return renderFromCamera; }

@@ -26,18 +26,18 @@ namespace pbrt::feather {
 
 /// The feather's BSDF: glint off the keratin film (R), pigment return (TRT) and gap (T).
 ///
-/// N wavelengths at once. V: a scalar, or SimdX16 for the feathers at sixteen vertices side by side,
-/// each as it would be alone but for rounding; floats' TRT, to 1e-3 of its value at
-/// worst. Directions are of Direction's local frame, on either side of the vane. R, TRT and f are
-/// in 1/sr without a cosine, >= 0, finite, symmetric in wo and wi, and 0 where |wo.z| or |wi.z| is
-/// Grazing. Nothing here is random but what the caller's numbers make so. `Quadrature` integrates
-/// TRT, see pigment_fast.h. Source: MODEL sections 3 to 7.
+/// N wavelengths at once. V: a scalar, or SimdX16 for the feathers at sixteen vertices side by
+/// side, each as it would be alone but for rounding; floats' TRT, to 1e-3 of its value at worst.
+/// Directions are of Direction's local frame, on either side of the vane. R, TRT and f are in 1/sr
+/// without a cosine, >= 0, finite, symmetric in wo and wi, and 0 where |wo.z| or |wi.z| is Grazing.
+/// Nothing here is random but what the caller's numbers make so. `Quadrature` integrates TRT, see
+/// pigment_fast.h. Source: MODEL sections 3 to 7.
 template <class V, int N, class Quadrature = AdaptiveRule>
 class Barbule {
     using T = ScalarOf<V>;
     using Mask = MaskFor<V>;
-    /// How a view's direction is taken: scalars by value, for a reference would keep all of the view
-    /// in memory; vectors by reference, as everywhere (simd/registers.h).
+    /// How a view's direction is taken: scalars by value, for a reference would keep all of the
+    /// view in memory; vectors by reference, as everywhere (simd/registers.h).
     using Kept = std::conditional_t<std::floating_point<V>, Direction<V>, const Direction<V> &>;
 
   public:

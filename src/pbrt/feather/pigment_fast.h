@@ -100,7 +100,8 @@ void PigmentByRule(const Row<T> &row, const Bend<T> &bend, const std::array<Film
             {repeat(DuplicateHigh(views.axes.n)), repeat(DuplicateHigh(views.axes.x))},
             row.Aspect(), squash);
         for (int from = 0; from < kNodes; from += kAtOnce) {
-            const auto at = nodes.At(Nodes::Load(&group.point[from]), Nodes::Load(&group.weight[from]));
+            const auto at =
+                nodes.At(Nodes::Load(&group.point[from]), Nodes::Load(&group.weight[from]));
             // Not a loop, see simd/registers.h.
             [&]<std::size_t... i>(std::index_sequence<i...>) {
                 ((sum[i] = sum[i] + films[i].twice.Weighted(at.weight, at.cosSqrO, at.cosSqrI)),
@@ -148,9 +149,9 @@ struct AdaptiveRule {
     /// Sixteen pairs side by side, each by its own rule. Lanes that are `off` give 0.
     template <std::floating_point T, std::size_t N>
     static void Integrate(const Row<SimdX16<T>> &row, const Bend<SimdX16<T>> &bend,
-                          const std::array<Film<SimdX16<T>>, N> &films, const Direction<SimdX16<T>> &wo,
-                          const Direction<SimdX16<T>> &wi, const MaskFor<SimdX16<T>> &off,
-                          std::array<SimdX16<T>, N> *integral) {
+                          const std::array<Film<SimdX16<T>>, N> &films,
+                          const Direction<SimdX16<T>> &wo, const Direction<SimdX16<T>> &wi,
+                          const MaskFor<SimdX16<T>> &off, std::array<SimdX16<T>, N> *integral) {
         PigmentX16<T, N>(row, bend, films, wo, wi).Integrate(off, integral);
     }
 

@@ -13,8 +13,8 @@ namespace pbrt::feather {
 // Structs of several vectors are made in place and never copied, see simd/registers.h.
 
 /// What is seen of some segments: the direction in the axes of the ellipse, and the first and the
-/// last point that it sees, counterclockwise. `Sides` are sixteen numbers, a segment each, or a vector with the segments as wo
-/// sees them in one half and as wi does in the other.
+/// last point that it sees, counterclockwise. `Sides` are sixteen numbers, a segment each, or a
+/// vector with the segments as wo sees them in one half and as wi does in the other.
 template <class Sides>
 struct SegmentViews {
     Planar<Sides> axes;

@@ -36,7 +36,7 @@ class PigmentX16 {
 
     /// All must outlive this.
     PigmentX16(const Row<V> &row, const Bend<V> &bend, const std::array<Film<V>, N> &films,
-                   const Direction<V> &wo, const Direction<V> &wi)
+               const Direction<V> &wo, const Direction<V> &wi)
         : row(row), bend(bend), films(films), choice(row, bend, films, wo, wi) {
         const auto [shared, any] = bend.SeenByBoth(wo, wi);
         pairs = {wo, wi, shared};
@@ -114,8 +114,8 @@ class PigmentX16 {
         return table;
     }();
 
-    /// The points of a segment on which kTeam lanes in a row work, each on every kTeam-th: node j of
-    /// lane l.
+    /// The points of a segment on which kTeam lanes in a row work, each on every kTeam-th: node j
+    /// of lane l.
     template <int Points, int kTeam>
     struct TeamPoints {
         std::array<Numbers, Points / kTeam> node, weight;

@@ -12,9 +12,9 @@
 
 namespace pbrt::feather {
 
-/// What one in-plane direction w (or each of several) sees of a row: on every unit circle the points
-/// E with E.u > 0 and q = E.t in [lower, upper] / reach, u being the unit vector along `image` and
-/// t u turned by +90 degrees. All is times `reach`, which saves dividing by it.
+/// What one in-plane direction w (or each of several) sees of a row: on every unit circle the
+/// points E with E.u > 0 and q = E.t in [lower, upper] / reach, u being the unit vector along
+/// `image` and t u turned by +90 degrees. All is times `reach`, which saves dividing by it.
 template <class V>
 struct RowView {
     Planar<V> image;  ///< of w under the affine map

@@ -85,8 +85,7 @@ inline StratifiedSampler::Numbers StratifiedSampler::NumbersOf(UintX16 dimension
     const UintX16 step = dimension * 0x9e3779b9;
     const UintX16 cell =
         order(sampleIndex, Mix32(step + LowHalf(hashes)), Mix32(step + HighHalf(hashes)));
-    const Uint64X16 sampleBits =
-        Mix64(hashes + kGolden64 * Convert<uint64_t>(sampleIndex + 1));
+    const Uint64X16 sampleBits = Mix64(hashes + kGolden64 * Convert<uint64_t>(sampleIndex + 1));
     const FloatX16 inX = middle + spread * ToUnitFloat(Mix32(step + LowHalf(sampleBits)));
     const FloatX16 inY = middle + spread * ToUnitFloat(Mix32(step + HighHalf(sampleBits)));
     const float width = 1 / xSamples, height = 1 / ySamples;

@@ -190,8 +190,7 @@ inline SurfaceInteractionX16 SphereSurfaces(const PacketHits &met, LaneBits acti
         for (size_t row = 0; row < 3; ++row)
             for (size_t k = 0; k < 4; ++k) {
                 renderFromObject[row][k].Set(i, sphere.renderFromObject.Matrix()[row][k]);
-                objectFromRender[row][k].Set(i,
-                                             sphere.renderFromObject.InverseMatrix()[row][k]);
+                objectFromRender[row][k].Set(i, sphere.renderFromObject.InverseMatrix()[row][k]);
             }
         radius.Set(i, sphere.radius);
         flipped |= LaneBits(sphere.flipNormal) << i;

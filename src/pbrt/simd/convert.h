@@ -27,8 +27,7 @@ template <class R, class From>
         return R(_mm512_maskz_cvtps_pd(0xff, __m256(x)));
 #endif
 #if defined(__AVX__)
-    if constexpr (kIs<R, double, 32> && kIs<From, float, 16>)
-        return R(_mm256_cvtps_pd(__m128(x)));
+    if constexpr (kIs<R, double, 32> && kIs<From, float, 16>) return R(_mm256_cvtps_pd(__m128(x)));
 #endif
     return __builtin_convertvector(x, R);
 }
@@ -79,13 +78,12 @@ constexpr U Convert(T a) {
 /// Numbers of the same size with the same bits.
 template <class U, class T, int N>
 requires(sizeof(U) == sizeof(T))
-[[gnu::always_inline]] inline Simd<U, N> BitCast(const Simd<T, N> &a) {
+    [[gnu::always_inline]] inline Simd<U, N> BitCast(const Simd<T, N> &a) {
     using Register = typename Simd<U, N>::Register;
     return registers::Each<Simd<U, N>>([](auto x) { return Register(x); }, a);
 }
 template <class U, class T>
-requires(std::is_arithmetic_v<T> &&sizeof(U) == sizeof(T))
-constexpr U BitCast(T a) {
+requires(std::is_arithmetic_v<T> && sizeof(U) == sizeof(T)) constexpr U BitCast(T a) {
     return std::bit_cast<U>(a);
 }
 
@@ -94,8 +92,8 @@ template <int Bytes, int From, int N>
 [[gnu::always_inline]] inline SimdMask<Bytes, N> ConvertMask(const SimdMask<From, N> &mask) {
     using To = SimdMask<Bytes, N>;
     using Integers = Simd<typename SimdMask<From, N>::Integer, N>;
-    const auto as = Convert<typename To::Integer>(
-        registers::Each<Integers>([](auto x) { return x; }, mask));
+    const auto as =
+        Convert<typename To::Integer>(registers::Each<Integers>([](auto x) { return x; }, mask));
     return registers::Each<To>([](auto x) { return x; }, as);
 }
 

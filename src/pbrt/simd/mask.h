@@ -22,8 +22,8 @@ class SimdMask {
 
     SimdMask() = default;
     [[gnu::always_inline]] SimdMask(bool all) {
-        *this = registers::Each<SimdMask>([all](auto zero) { return zero - Integer(all); },
-                                          SimdMask{});
+        *this =
+            registers::Each<SimdMask>([all](auto zero) { return zero - Integer(all); }, SimdMask{});
     }
     /// The lowest N bits, that of element 0 lowest.
     [[gnu::always_inline]] static SimdMask FromBits(uint32_t bits) {

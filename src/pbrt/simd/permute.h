@@ -13,8 +13,8 @@ namespace registers {
 
 /// Register k of what Permute makes.
 template <int k, class V, class From, int... i>
-[[gnu::always_inline]] inline typename V::Register PermutedPart(
-    const V &a, From from, std::integer_sequence<int, i...>) {
+[[gnu::always_inline]] inline typename V::Register PermutedPart(const V &a, From from,
+                                                                std::integer_sequence<int, i...>) {
     constexpr int source = from(k * V::kWidth) / V::kWidth;
     return __builtin_shufflevector(a.part[source], a.part[source],
                                    (from(k * V::kWidth + i) % V::kWidth)...);
@@ -32,9 +32,7 @@ template <int k, int n, class V, int... i>
 template <int n, class V, int... k>
 [[gnu::always_inline]] inline V Moved(const V &a, std::integer_sequence<int, k...>) {
     V moved;
-    ((moved.part[k] =
-          MovedPart<k, n>(a, std::make_integer_sequence<int, V::kWidth>())),
-     ...);
+    ((moved.part[k] = MovedPart<k, n>(a, std::make_integer_sequence<int, V::kWidth>())), ...);
     return moved;
 }
 
@@ -48,8 +46,8 @@ requires std::invocable<From, int>
     using V = Simd<T, N>;
     V b;
     [&]<int... k>(std::integer_sequence<int, k...>) __attribute__((always_inline)) {
-        ((b.part[k] = registers::PermutedPart<k>(a, from,
-                                                 std::make_integer_sequence<int, V::kWidth>())),
+        ((b.part[k] =
+              registers::PermutedPart<k>(a, from, std::make_integer_sequence<int, V::kWidth>())),
          ...);
     }
     (std::make_integer_sequence<int, V::kRegisters>());
@@ -61,8 +59,8 @@ template <class T, class I>
 #if defined(__AVX512F__)
     if constexpr (sizeof(T) == 4) {
         SimdX16<T> b;
-        b.part[0] = typename SimdX16<T>::Register(_mm512_maskz_permutexvar_epi32(
-            0xffff, __m512i(index.part[0]), __m512i(a.part[0])));
+        b.part[0] = typename SimdX16<T>::Register(
+            _mm512_maskz_permutexvar_epi32(0xffff, __m512i(index.part[0]), __m512i(a.part[0])));
         return b;
     }
 #endif
@@ -85,15 +83,15 @@ template <class T, int N>
     using V = Simd<T, N>;
     using Twice = Simd<T, 2 * N>;
     Twice b;
-    if constexpr (Twice::kWidth > V::kWidth)
-        b.part[0] = registers::Concatenate(
-            a.part[0], a.part[0],
-            std::make_integer_sequence<int, 2 * V::kWidth>());
-    else
+    if constexpr (Twice::kWidth > V::kWidth) {
+        b.part[0] = registers::Concatenate(a.part[0], a.part[0],
+                                           std::make_integer_sequence<int, 2 * V::kWidth>());
+    } else {
         [&]<int... k>(std::integer_sequence<int, k...>) __attribute__((always_inline)) {
             ((b.part[k] = a.part[k % V::kRegisters]), ...);
         }
         (std::make_integer_sequence<int, Twice::kRegisters>());
+    }
     return b;
 }
 /// The elements of a, as often as M elements need.

@@ -18,10 +18,11 @@
 // array of registers or elements: what is indexed by a variable lives in memory. Structs of several
 // vectors are best made in place and passed by reference; g++ copies them through memory.
 //
-// Intrinsics are named where g++ 12 does not find the instruction: of minimum and maximum it makes
-// a comparison and a blend, of float to double two
-// halves, and it calls functions for roots and roundings unless errno and traps are switched off. The AVX-512 ones are the masked forms with a mask that always holds: the
-// unmasked ones start from an undefined register, which g++ 12 reports as uninitialised.
+// Intrinsics are named where g++ 12 does not find the instruction: it turns minimum and maximum into
+// a comparison and a blend and converts float to double by halves, and it calls functions for roots
+// and roundings unless errno and traps are switched off. The AVX-512 ones are the masked forms with
+// a mask that always holds: the unmasked ones start from an undefined register, which g++ 12 reports
+// as uninitialised.
 //
 // Registers are as wide as the machine has them. What one evaluation needs (up to eight floats) is
 // thus at most 32 bytes wide, also with AVX-512: 64-byte instructions lower the clock of all that
@@ -83,22 +84,16 @@ inline constexpr bool kIs = std::is_same_v<Element<R>, T> && sizeof(R) == bytes;
 template <class R>
 [[gnu::always_inline]] inline R Min(R a, R b) {
 #if defined(__AVX512F__)
-    if constexpr (kIs<R, float, 64>)
-        return R(_mm512_maskz_min_ps(0xffff, __m512(a), __m512(b)));
-    if constexpr (kIs<R, double, 64>)
-        return R(_mm512_maskz_min_pd(0xff, __m512d(a), __m512d(b)));
+    if constexpr (kIs<R, float, 64>) return R(_mm512_maskz_min_ps(0xffff, __m512(a), __m512(b)));
+    if constexpr (kIs<R, double, 64>) return R(_mm512_maskz_min_pd(0xff, __m512d(a), __m512d(b)));
 #endif
 #if defined(__AVX__)
-    if constexpr (kIs<R, float, 32>)
-        return R(_mm256_min_ps(__m256(a), __m256(b)));
-    if constexpr (kIs<R, double, 32>)
-        return R(_mm256_min_pd(__m256d(a), __m256d(b)));
+    if constexpr (kIs<R, float, 32>) return R(_mm256_min_ps(__m256(a), __m256(b)));
+    if constexpr (kIs<R, double, 32>) return R(_mm256_min_pd(__m256d(a), __m256d(b)));
 #endif
 #if defined(__SSE2__)
-    if constexpr (kIs<R, float, 16>)
-        return R(_mm_min_ps(__m128(a), __m128(b)));
-    if constexpr (kIs<R, double, 16>)
-        return R(_mm_min_pd(__m128d(a), __m128d(b)));
+    if constexpr (kIs<R, float, 16>) return R(_mm_min_ps(__m128(a), __m128(b)));
+    if constexpr (kIs<R, double, 16>) return R(_mm_min_pd(__m128d(a), __m128d(b)));
 #endif
     return a < b ? a : b;
 }
@@ -106,22 +101,16 @@ template <class R>
 template <class R>
 [[gnu::always_inline]] inline R Max(R a, R b) {
 #if defined(__AVX512F__)
-    if constexpr (kIs<R, float, 64>)
-        return R(_mm512_maskz_max_ps(0xffff, __m512(a), __m512(b)));
-    if constexpr (kIs<R, double, 64>)
-        return R(_mm512_maskz_max_pd(0xff, __m512d(a), __m512d(b)));
+    if constexpr (kIs<R, float, 64>) return R(_mm512_maskz_max_ps(0xffff, __m512(a), __m512(b)));
+    if constexpr (kIs<R, double, 64>) return R(_mm512_maskz_max_pd(0xff, __m512d(a), __m512d(b)));
 #endif
 #if defined(__AVX__)
-    if constexpr (kIs<R, float, 32>)
-        return R(_mm256_max_ps(__m256(a), __m256(b)));
-    if constexpr (kIs<R, double, 32>)
-        return R(_mm256_max_pd(__m256d(a), __m256d(b)));
+    if constexpr (kIs<R, float, 32>) return R(_mm256_max_ps(__m256(a), __m256(b)));
+    if constexpr (kIs<R, double, 32>) return R(_mm256_max_pd(__m256d(a), __m256d(b)));
 #endif
 #if defined(__SSE2__)
-    if constexpr (kIs<R, float, 16>)
-        return R(_mm_max_ps(__m128(a), __m128(b)));
-    if constexpr (kIs<R, double, 16>)
-        return R(_mm_max_pd(__m128d(a), __m128d(b)));
+    if constexpr (kIs<R, float, 16>) return R(_mm_max_ps(__m128(a), __m128(b)));
+    if constexpr (kIs<R, double, 16>) return R(_mm_max_pd(__m128d(a), __m128d(b)));
 #endif
     return a > b ? a : b;
 }
@@ -130,29 +119,24 @@ template <class R>
 template <class R, class F>
 [[gnu::always_inline]] inline R Map(const F &f, R x) {
     constexpr int n = int(sizeof(R) / sizeof(Element<R>));
-    return Generate<R>([&](int i) __attribute__((always_inline)) { return f(x[i]); },
-                       std::make_integer_sequence<int, n>());
+    return Generate<R>(
+        [&](int i) __attribute__((always_inline)) { return f(x[i]); },
+        std::make_integer_sequence<int, n>());
 }
 
 template <class R>
 [[gnu::always_inline]] inline R Sqrt(R x) {
 #if defined(__AVX512F__)
-    if constexpr (kIs<R, float, 64>)
-        return R(_mm512_maskz_sqrt_ps(0xffff, __m512(x)));
-    if constexpr (kIs<R, double, 64>)
-        return R(_mm512_maskz_sqrt_pd(0xff, __m512d(x)));
+    if constexpr (kIs<R, float, 64>) return R(_mm512_maskz_sqrt_ps(0xffff, __m512(x)));
+    if constexpr (kIs<R, double, 64>) return R(_mm512_maskz_sqrt_pd(0xff, __m512d(x)));
 #endif
 #if defined(__AVX__)
-    if constexpr (kIs<R, float, 32>)
-        return R(_mm256_sqrt_ps(__m256(x)));
-    if constexpr (kIs<R, double, 32>)
-        return R(_mm256_sqrt_pd(__m256d(x)));
+    if constexpr (kIs<R, float, 32>) return R(_mm256_sqrt_ps(__m256(x)));
+    if constexpr (kIs<R, double, 32>) return R(_mm256_sqrt_pd(__m256d(x)));
 #endif
 #if defined(__SSE2__)
-    if constexpr (kIs<R, float, 16>)
-        return R(_mm_sqrt_ps(__m128(x)));
-    if constexpr (kIs<R, double, 16>)
-        return R(_mm_sqrt_pd(__m128d(x)));
+    if constexpr (kIs<R, float, 16>) return R(_mm_sqrt_ps(__m128(x)));
+    if constexpr (kIs<R, double, 16>) return R(_mm_sqrt_pd(__m128d(x)));
 #endif
     return Map([](auto e) { return std::sqrt(e); }, x);
 }
@@ -161,22 +145,16 @@ template <class R>
 template <int kMode, class R>
 [[gnu::always_inline]] inline R RoundBy(R x) {
 #if defined(__AVX512F__)
-    if constexpr (kIs<R, float, 64>)
-        return R(_mm512_maskz_roundscale_ps(0xffff, __m512(x), kMode));
-    if constexpr (kIs<R, double, 64>)
-        return R(_mm512_maskz_roundscale_pd(0xff, __m512d(x), kMode));
+    if constexpr (kIs<R, float, 64>) return R(_mm512_maskz_roundscale_ps(0xffff, __m512(x), kMode));
+    if constexpr (kIs<R, double, 64>) return R(_mm512_maskz_roundscale_pd(0xff, __m512d(x), kMode));
 #endif
 #if defined(__AVX__)
-    if constexpr (kIs<R, float, 32>)
-        return R(_mm256_round_ps(__m256(x), kMode));
-    if constexpr (kIs<R, double, 32>)
-        return R(_mm256_round_pd(__m256d(x), kMode));
+    if constexpr (kIs<R, float, 32>) return R(_mm256_round_ps(__m256(x), kMode));
+    if constexpr (kIs<R, double, 32>) return R(_mm256_round_pd(__m256d(x), kMode));
 #endif
 #if defined(__SSE4_1__)
-    if constexpr (kIs<R, float, 16>)
-        return R(_mm_round_ps(__m128(x), kMode));
-    if constexpr (kIs<R, double, 16>)
-        return R(_mm_round_pd(__m128d(x), kMode));
+    if constexpr (kIs<R, float, 16>) return R(_mm_round_ps(__m128(x), kMode));
+    if constexpr (kIs<R, double, 16>) return R(_mm_round_pd(__m128d(x), kMode));
 #endif
     return Map([](auto e) { return kMode == 9 ? std::floor(e) : std::rint(e); }, x);
 }
@@ -185,22 +163,16 @@ template <int kMode, class R>
 template <class R>
 [[gnu::always_inline]] inline uint32_t Bits(R x) {
 #if defined(__AVX512F__)
-    if constexpr (kIs<R, int32_t, 64>)
-        return _mm512_test_epi32_mask(__m512i(x), __m512i(x));
-    if constexpr (kIs<R, int64_t, 64>)
-        return _mm512_test_epi64_mask(__m512i(x), __m512i(x));
+    if constexpr (kIs<R, int32_t, 64>) return _mm512_test_epi32_mask(__m512i(x), __m512i(x));
+    if constexpr (kIs<R, int64_t, 64>) return _mm512_test_epi64_mask(__m512i(x), __m512i(x));
 #endif
 #if defined(__AVX__)
-    if constexpr (kIs<R, int32_t, 32>)
-        return uint32_t(_mm256_movemask_ps(__m256(x)));
-    if constexpr (kIs<R, int64_t, 32>)
-        return uint32_t(_mm256_movemask_pd(__m256d(x)));
+    if constexpr (kIs<R, int32_t, 32>) return uint32_t(_mm256_movemask_ps(__m256(x)));
+    if constexpr (kIs<R, int64_t, 32>) return uint32_t(_mm256_movemask_pd(__m256d(x)));
 #endif
 #if defined(__SSE2__)
-    if constexpr (kIs<R, int32_t, 16>)
-        return uint32_t(_mm_movemask_ps(__m128(x)));
-    if constexpr (kIs<R, int64_t, 16>)
-        return uint32_t(_mm_movemask_pd(__m128d(x)));
+    if constexpr (kIs<R, int32_t, 16>) return uint32_t(_mm_movemask_ps(__m128(x)));
+    if constexpr (kIs<R, int64_t, 16>) return uint32_t(_mm_movemask_pd(__m128d(x)));
 #endif
     uint32_t bits = 0;
     for (int i = 0; i < int(sizeof(R) / sizeof(Element<R>)); ++i)

@@ -32,7 +32,7 @@ class Simd {
     /// The N elements in order.
     template <std::convertible_to<T>... Ts>
     requires(sizeof...(Ts) + 2 == N)
-    [[gnu::always_inline]] constexpr Simd(T first, T second, Ts... others) {
+        [[gnu::always_inline]] constexpr Simd(T first, T second, Ts... others) {
         const T elements[N] = {first, second, T(others)...};
         *this = Generate([&](int k) { return elements[k]; });
     }
@@ -138,9 +138,7 @@ class Simd {
     /// The size of a with the sign bit of b.
     [[gnu::always_inline]] friend Simd CopySign(const Simd &a, const Simd &b) {
         return registers::Each<Simd>(
-            [](auto x, auto y) {
-                return Register((Bits(x) & ~SignBit()) | (Bits(y) & SignBit()));
-            },
+            [](auto x, auto y) { return Register((Bits(x) & ~SignBit()) | (Bits(y) & SignBit())); },
             a, b);
     }
     /// a, or -a where b has the sign bit.
@@ -173,9 +171,8 @@ class Simd {
     [[gnu::always_inline]] static constexpr Simd GenerateParts(const F &f,
                                                                std::integer_sequence<int, k...>) {
         Simd a{};
-        ((a.part[k] =
-              registers::Generate<Register>([&](int i) { return T(f(k * kWidth + i)); },
-                                            std::make_integer_sequence<int, kWidth>())),
+        ((a.part[k] = registers::Generate<Register>([&](int i) { return T(f(k * kWidth + i)); },
+                                                    std::make_integer_sequence<int, kWidth>())),
          ...);
         return a;
     }
@@ -212,7 +209,7 @@ template <int N, class T>
 }
 /// Of two scalars.
 template <int Bytes, int N, class T>
-requires(std::is_arithmetic_v<T> &&sizeof(T) == Bytes)
+requires(std::is_arithmetic_v<T> && sizeof(T) == Bytes)
     [[gnu::always_inline]] inline Simd<T, N> Select(const SimdMask<Bytes, N> &mask, T a, T b) {
     return Select(mask, Simd<T, N>(a), Simd<T, N>(b));
 }
@@ -240,6 +237,7 @@ template <class V>
 using MaskFor = decltype(std::declval<V>() < std::declval<V>());
 /// One float or several.
 template <typename V>
-concept AnyFloat = std::same_as<ScalarOf<V>, float>;
+concept AnyFloat = std::same_as < ScalarOf<V>,
+float > ;
 
 }  // namespace pbrt

@@ -50,7 +50,8 @@ template <class V>
         const SinCosT<V> part = SinCosQuarters(V(4 * turns - quarter));
         const auto q = Convert<int32_t>(quarter);
         const auto swapped = (q & 1) != 0;
-        const V sin = Select(swapped, part.cos, part.sin), cos = Select(swapped, part.sin, part.cos);
+        const V sin = Select(swapped, part.cos, part.sin),
+                cos = Select(swapped, part.sin, part.cos);
         return {Select((q & 2) != 0, V(-sin), sin), Select(((q + 1) & 2) != 0, V(-cos), cos)};
     } else {
         return SinCosRadians(V(2 * std::numbers::pi * (turns - Round(turns))));

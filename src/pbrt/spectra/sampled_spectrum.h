@@ -94,8 +94,7 @@ class SampledWavelengths {
 inline SampledWavelengths SampledWavelengths::SampleVisible(float u) {
     const FloatX4 shifted = u + FloatX4{0, 0.25f, 0.5f, 0.75f};
     // The inverse of the cumulative density; 1 / cosh^2(atanh(y)) is 1 - y^2.
-    const FloatX4 y =
-        0.85691062f - 1.82750197f * Select(shifted < 1, shifted, shifted - 1);
+    const FloatX4 y = 0.85691062f - 1.82750197f * Select(shifted < 1, shifted, shifted - 1);
     const FloatX4 lambda = 538 - (138.888889f / 2) * Log((1 + y) / (1 - y));
     SampledWavelengths w;
     w.lambda = SampledSpectrum(Clamp(lambda, LambdaMin, LambdaMax));

@@ -147,14 +147,14 @@ class BatchTracer final : public Tracer {
             packet, FirstLanes(count), &hits, fromCamera ? Coherence::Alike : Coherence::Octant);
         rays->closest += count;
         paths.SetHits(place, hits, met);
-                const MaskX16 found = MaskOf(met);
+        const MaskX16 found = MaskOf(met);
         const UintX16 geometry = Select(found, hits.geometry, 0);
         UintX16 material = Select(found, Gather(materialOf.data(), geometry), 0);
         UintX16 kind = Select(found, Gather(kindOf.data(), geometry), 0);
         ForEachLane(met & BitsOf(kind == kMix), [&](int i) {
             const Ray ray = packet.At(i);
-            const MaterialId id = scene.MaterialMet(MaterialId(material[i]),
-                                                    scene.SurfaceAt(hits.At(i), ray), ray.d);
+            const MaterialId id =
+                scene.MaterialMet(MaterialId(material[i]), scene.SurfaceAt(hits.At(i), ray), ray.d);
             material.Set(i, uint32_t(id));
             kind.Set(i, MaterialGroup(uint32_t(id)));
         });
