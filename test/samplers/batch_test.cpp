@@ -35,8 +35,8 @@ void ExpectSameNumbers(S alone, const std::vector<Point2i> &pixels, uint64_t see
         const int dimension = int(rng.Below(round < 30 ? 20 : 1000));
         UintX16 pixel, index;
         for (int i = 0; i < kPacketSize; ++i) {
-            pixel[i] = rng.Below(uint32_t(pixels.size()));
-            index[i] = rng.Below(uint32_t(sampler.SamplesPerPixel()));
+            pixel.Set(i, rng.Below(uint32_t(pixels.size())));
+            index.Set(i, rng.Below(uint32_t(sampler.SamplesPerPixel())));
         }
         const FloatX16 single = sampler.Get1D(dimension, pixel, index);
         const Point2fX16 pair = sampler.Get2D(dimension, pixel, index);

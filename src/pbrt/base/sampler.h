@@ -6,7 +6,7 @@
 
 #include "pbrt/base/plug_in.h"
 #include "pbrt/util/vecmath.h"
-#include "pbrt/util/wide.h"
+#include "pbrt/util/vecmath_simd.h"
 
 // The contract of a sampler: the random numbers of a path. The closed list of samplers is in
 // pbrt/samplers/samplers.h.

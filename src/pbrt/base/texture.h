@@ -11,7 +11,7 @@
 #include "pbrt/base/plug_in.h"
 #include "pbrt/spectra/spectrum.h"
 #include "pbrt/util/vecmath.h"
-#include "pbrt/util/wide.h"
+#include "pbrt/util/vecmath_simd.h"
 
 // The contract of a texture: a number or a spectrum that varies over surfaces. The closed list of
 // them is in pbrt/textures/textures.h; what materials hold are the handles FloatTexture and

@@ -38,7 +38,7 @@ class IndependentSampler {
     Point2fX16 Get2D(int dimension, UintX16 pixel, UintX16 sampleIndex) const {
         // As Hash goes on.
         const Uint64X16 start =
-            Mix64((batch.At(pixel) + kGolden64) ^ __builtin_convertvector(sampleIndex, Uint64X16));
+            Mix64((batch.At(pixel) + kGolden64) ^ Convert<uint64_t>(sampleIndex));
         const Uint64X16 bits = Mix64(start + (uint64_t(dimension) + 1) * kGolden64);
         return {ToUnitFloat(HighHalf(bits)), ToUnitFloat(LowHalf(bits))};
     }
