@@ -5,8 +5,8 @@
 #include "bench/feather/model.h"
 #include "bench/stopwatch.h"
 #include "pbrt/bsdftool/spectral_bsdf.h"
-#include "pbrt/bxdfs/feather_packet.h"
-#include "pbrt/bxdfs/hair.h"
+#include "pbrt/bxdfs/feather_barbule_packet.h"
+#include "pbrt/bxdfs/hair_bxdf.h"
 
 namespace pbrt::bench {
 namespace {
@@ -23,11 +23,11 @@ FloatX16 AverageOf(const std::array<SampledSpectrum, kPacketSize> &spectra) {
     return average;
 }
 
-BxDFPacket<FeatherSurface> SixteenAlike(const FeatherBarbuleMaterial &material) {
-    BxDFPacket<FeatherSurface> lanes;
+FeatherBarbulePacket SixteenAlike(const FeatherBarbuleMaterial &material) {
+    FeatherBarbulePacket lanes;
     const SampledWavelengths lambda = SampledWavelengths::Of(kLambda);
     for (int i = 0; i < kPacketSize; ++i)
-        lanes.Set(i, material.GetSurface(MiddleOfTexture(), lambda));
+        lanes.Set(i, material.GetPacketInput(MiddleOfTexture(), lambda));
     return lanes;
 }
 
@@ -77,7 +77,7 @@ Case CaseOf(const std::string &name, const Material &material) {
 
 EvaluatedLobes EvaluatePacket(const FeatherBarbuleMaterial &material,
                               const std::vector<Input> &pairs) {
-    BxDFPacket<FeatherSurface> lanes = SixteenAlike(material);
+    FeatherBarbulePacket lanes = SixteenAlike(material);
     EvaluatedLobes parts;
     size_t left = pairs.size();
     for (const PacketInput &in : PackInputs(pairs)) {
@@ -96,7 +96,7 @@ EvaluatedLobes EvaluatePacket(const FeatherBarbuleMaterial &material,
 }
 
 Case PacketCase(const FeatherBarbuleMaterial &material) {
-    BxDFPacket<FeatherSurface> lanes = SixteenAlike(material);
+    FeatherBarbulePacket lanes = SixteenAlike(material);
     Case c;
     c.row.name = "featherbarbule, by 16";
     c.timers.push_back({&Row::f, PacketPass([lanes](const PacketInput &in) mutable {

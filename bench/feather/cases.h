@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bench/feather/inputs.h"
-#include "pbrt/materials/material.h"
+#include "pbrt/materials/materials.h"
 
 namespace pbrt::bench {
 

@@ -27,7 +27,7 @@ double FollowPaths(const RenderScene &world, const Each &each) {
     double sum = 0;
     for (int k = 0; k < kPaths; ++k) {
         const Point2f film{rng.Uniform() * resolution.x, rng.Uniform() * resolution.y};
-        Ray ray = world.camera.GenerateRay(film, {0.5f, 0.5f}, 0);
+        Ray ray = GenerateRay(world.camera, film, {0.5f, 0.5f}, 0);
         for (int bounce = 0; bounce <= kMaxBounces; ++bounce) {
             Hit hit;
             if (!each(ray, &hit)) break;

@@ -28,7 +28,7 @@ TEST(Build, MaterialsThatSayTheSameAreOne) {
     for (const Geometry &g : world->geometries)
         materials.push_back(g.material);
     EXPECT_EQ(materials, (std::vector<int>{1, 1, 2, 3, 4, 0}));  // 0: the default
-    EXPECT_EQ(world->materials.size(), 5u);
+    EXPECT_EQ(world->materials.Size(), 5u);
 }
 
 }  // namespace

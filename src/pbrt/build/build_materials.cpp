@@ -3,6 +3,7 @@
 #include <map>
 
 #include "pbrt/build/build_shapes.h"
+#include "pbrt/materials/materials.h"
 #include "pbrt/scene/content_hash.h"
 
 namespace pbrt {
@@ -51,10 +52,9 @@ class MaterialMaker {
     MaterialId AddSingle(std::string_view type, ParamDict &params) {
         std::optional<Material> material = CreateMaterial(type, params, textures);
         if (!material) return kMissingMaterialId;
-        const MaterialId id = int(scene.materials.size());
-        if (const std::string_view laid = LaidByUV(*material); !laid.empty())
+        const MaterialId id = scene.materials.Add(std::move(*material));
+        if (const std::string_view laid = scene.materials.LaidByUV(size_t(id)); !laid.empty())
             table.laidByUV.emplace(id, laid);
-        scene.materials.push_back(std::move(*material));
         return id;
     }
 
@@ -76,8 +76,8 @@ MaterialTable BuildMaterials(SceneDescription &description, const NamedTextures 
     MaterialTable table;
     MaterialMaker maker(description, textures, scene, table, log);
     // Reserved up front: growing would hold two copies, and untouched memory costs nothing.
-    scene.materials.reserve(1 + description.namedMaterials.size() + description.materials.size());
-    scene.materials.push_back(DiffuseMaterial{});
+    scene.materials.Reserve(1 + description.namedMaterials.size() + description.materials.size());
+    scene.materials.Add(DiffuseMaterial{});
     for (const NamedMaterialEntity &entity : description.namedMaterials)
         table.named[entity.name] = maker.Add(entity);
     // Many scenes give every shape a material of its own, and few different ones.

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <span>
+#include <string_view>
 
 #include "pbrt/build/render_scene.h"
 
@@ -12,6 +14,10 @@ struct SceneOverrides {
     std::optional<int> spp;
     int nThreads = 0;  ///< for building the acceleration structure; 0: all cores
 };
+
+/// Embree chooses for itself: pbrt's hints are checked and have no effect.
+void ReadAccelerator(std::string_view type, ParamDict &params);
+std::span<const std::string_view> AcceleratorNames();
 
 /// Makes everything the description names. Mistakes go to the log; where there are any, nullptr is
 /// returned (after as many as possible have been found). The description is used up: shapes and

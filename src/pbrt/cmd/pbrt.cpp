@@ -13,6 +13,7 @@
 #include "pbrt/cli/options.h"
 #include "pbrt/cli/threads.h"
 #include "pbrt/cli/tool.h"
+#include "pbrt/reference/explain.h"
 #include "pbrt/render/mse_log.h"
 #include "pbrt/render/progress.h"
 #include "pbrt/render/statistics.h"
@@ -29,7 +30,7 @@ struct Arguments {
     std::vector<std::string> files;
     Overrides overrides;
     Options options;
-    std::string statsFile;
+    std::string statsFile, explain;
     bool stats = false, quiet = false;
     // As written; TakeWritten puts them into `overrides`. Nothing, or 0: not given.
     std::vector<float> crop;
@@ -74,6 +75,9 @@ void DefineOptions(CLI::App *app, Arguments *a) {
                  "file for lines \"spp, mean squared error\" at 1, 2, 4, ... samples per pixel");
     cli::AddFlag(app, "--stats", &a->stats, "print rays per second, memory and times");
     cli::AddText(app, "--stats-file", &a->statsFile, "write the same as JSON to this file");
+    cli::AddText(app, "--explain", &a->explain,
+                 "print the parameters of a plug-in, as of \"material hair\", or the names of a "
+                 "family, as \"material\"; all: everything as Markdown");
     cli::AddFlag(app, "--quiet", &a->quiet, "no progress, no warnings");
     cli::AddFooter(app,
                    "examples:\n"
@@ -91,6 +95,12 @@ int Complain(const std::string &why) {
 int PrintOut(std::string_view text) {
     const auto why = WriteStandardOutput(text);
     return why ? Complain(*why) : kSuccess;
+}
+
+cli::Outcome Explain(const std::string &what) {
+    const reference::Explanation explanation = reference::Explain(what);
+    if (explanation.error.empty()) return {kSuccess, explanation.text, {}};
+    return {kUserError, {}, fmt::format("Error: {}\n", explanation.error)};
 }
 
 void TakeWritten(Arguments &a) {
@@ -129,18 +139,18 @@ struct Times {
 void AddMetadata(const RenderScene &scene, const RenderStats &stats, ImageMetadata *metadata) {
     metadata->renderTimeSeconds = float(stats.seconds);
     metadata->samplesPerPixel = int(stats.samplesPerPixel);
-    metadata->cameraFromWorld = scene.camera.CameraFromWorld().Matrix();
-    metadata->ndcFromWorld = scene.camera.NDCFromWorld().Matrix();
+    metadata->cameraFromWorld = Placement(scene.camera).cameraFromWorld.Matrix();
+    metadata->ndcFromWorld = NDCFromWorld(scene.camera).Matrix();
 }
 
-void PrintWarnings(const RenderScene &scene) {
+void PrintWarnings(const RenderScene &scene, const ClampCounts &counts) {
     const auto print = [](const std::string &text) {
         if (!text.empty()) Say(fmt::format("Warning: {}\n", text));
     };
-    for (const Material &m : scene.materials)
-        print(Warnings(m));
+    for (const std::string &text : scene.materials.Warnings(counts))
+        print(text);
     for (const MixMaterial &m : scene.mixes)
-        print(m.Warnings());
+        print(m.Warnings(counts));
 }
 
 /// Statistics to where they are wanted; the exit code.
@@ -186,7 +196,7 @@ int RenderAndWrite(const RenderTask &task, const Arguments &a, const Times &time
         &image, afterPass);
     progress.Finish(stats ? "done" : "stopped");
     if (!stats) return Stopped(*interrupts.First());
-    if (!a.quiet) PrintWarnings(scene);
+    if (!a.quiet) PrintWarnings(scene, stats->rays.clamped);
     AddMetadata(scene, *stats, &image.metadata);
     if (mse) image.metadata.mse = float(mse->Error());
     if (const auto why = WriteImageSomewhere(image, scene.film.FileName(), scene.film.Format())) {
@@ -198,6 +208,7 @@ int RenderAndWrite(const RenderTask &task, const Arguments &a, const Times &time
 }
 
 cli::Outcome Run(Arguments &a) {
+    if (!a.explain.empty()) return Explain(a.explain);
     TakeWritten(a);
     const cli::Threads threads = cli::LimitThreads(a.overrides.nThreads);
     a.overrides.nThreads = threads.count;

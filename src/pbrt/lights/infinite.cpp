@@ -8,6 +8,9 @@
 namespace pbrt {
 namespace {
 
+constexpr StringParam kFileName{"filename", "",
+                                "square picture of all directions, equal-area octahedral"};
+
 /// Why the picture cannot light a scene; empty where it can.
 std::string Unfit(const Image &image) {
     const Point2i res = image.Resolution();
@@ -30,10 +33,10 @@ std::string Unfit(const Image &image) {
 
 std::optional<std::variant<UniformInfiniteLight, ImageInfiniteLight>> CreateInfiniteLight(
     ParamDict &params, const Transform &renderFromLight) {
-    const std::string file = params.GetFileName("filename");
-    const EmissionScale scale = GetScale(params, "illuminance", "lx");
+    const std::string file = params.GetFileName(kFileName);
+    const EmissionScale scale = GetScale(params, kLightIlluminance);
     if (file.empty()) {
-        const Emission emission = GetEmission(params, "L");
+        const Emission emission = GetEmission(params, kLightRadiance);
         UniformInfiniteLight light;
         light.radiance = emission.spectrum;
         light.luminance = emission.luminance;
@@ -41,20 +44,21 @@ std::optional<std::variant<UniformInfiniteLight, ImageInfiniteLight>> CreateInfi
         light.scale = scale.For(Pi);
         return light;
     }
-    if (params.GetOneSpectrum("L", SpectrumType::Illuminant))
-        params.Error("L", "both \"L\" and \"filename\" are given; an infinite light takes one");
+    if (params.GetOneSpectrum(kLightRadiance))
+        params.Error(kLightRadiance.name,
+                     "both \"L\" and \"filename\" are given; an infinite light takes one");
     const OrError<Image> image = ReadImage(file);
     const std::string unfit = image ? Unfit(*image.value) : std::string();
     if (!image || !unfit.empty()) {
-        params.Error("filename", image ? fmt::format("\"{}\" {}", file, unfit) : image.error);
+        params.Error(kFileName.name, image ? fmt::format("\"{}\" {}", file, unfit) : image.error);
         return std::nullopt;
     }
     if (const std::string &unread = image.value->metadata.unread; !unread.empty())
-        params.WarningOnce("filename", fmt::format("{}: {}", file, unread));
+        params.WarningOnce(kFileName.name, fmt::format("{}: {}", file, unread));
     const RGBColorSpace &space = ColorSpaceOf(*image.value);
     const float illuminance = ImageInfiniteLight::Illuminance(*image.value, space);
     if (scale.target > 0 && !(illuminance > 0)) {
-        params.Error("illuminance",
+        params.Error(kLightIlluminance.name,
                      "the picture is black above the horizon: no scale can give it "
                      "an illuminance");
         return std::nullopt;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "pbrt/lights/from_to.h"
 #include "pbrt/lights/infinite.h"
 #include "pbrt/util/range.h"
 
@@ -55,9 +56,10 @@ std::optional<Light> CreateLight(std::string_view type, ParamDict &params,
     std::optional<Light> light = CreateNamed(type, params, renderFromLight);
     const auto place = light ? Bounds(*light) : std::nullopt;
     if (place && !IsInRange(place->bounds))
-        params.Error("from", fmt::format("light \"{}\" stands beyond {:g}, up to where light can "
-                                         "be traced",
-                                         type, kFarthest));
+        params.Error(kLightFrom.name,
+                     fmt::format("light \"{}\" stands beyond {:g}, up to where light can "
+                                 "be traced",
+                                 type, kFarthest));
     params.ReportUnused();
     return light;
 }

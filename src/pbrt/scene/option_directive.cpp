@@ -11,12 +11,35 @@
 namespace pbrt {
 namespace {
 
-constexpr std::array<std::string_view, 11> kNames{
-    "disablepixeljitter", "disablewavelengthjitter", "disabletexturefiltering", "forcediffuse",
-    "seed", "rendercoordsys", "msereferenceimage", "msereferenceout",
-    // Known to pbrt-v4, without a meaning here:
-    "displacementedgescale", "pixelstats", "wavefront"};
 constexpr std::array<std::string_view, 3> kCoordSys{"camera", "cameraworld", "world"};
+constexpr BoolParam kDisablePixelJitter{"disablepixeljitter", false,
+                                        "samples in the pixels' centres only"};
+constexpr BoolParam kDisableWavelengthJitter{"disablewavelengthjitter", false,
+                                             "the same wavelengths for every path"};
+constexpr BoolParam kDisableTextureFiltering{"disabletexturefiltering", false,
+                                             "point-sampled textures"};
+constexpr BoolParam kForceDiffuse{
+    "forcediffuse", false, "every surface is matt and reflects as much as its material does"};
+constexpr IntParam kSeed{"seed", 0, kLeastInt, kMostInt, "of the samplers' random numbers"};
+constexpr ChoiceParam kRenderCoordSys{"rendercoordsys", kCoordSys[1], kCoordSys,
+                                      "the space to render in"};
+constexpr StringParam kMseReferenceImage{"msereferenceimage", "",
+                                         "picture without noise, to tell the error of this one"};
+constexpr StringParam kMseReferenceOut{
+    "msereferenceout", "", "file for lines \"spp, mean squared error\" at 1, 2, 4, ... samples"};
+constexpr std::array<ParamRow, 8> kRows{
+    kDisablePixelJitter, kDisableWavelengthJitter, kDisableTextureFiltering, kForceDiffuse, kSeed,
+    kRenderCoordSys,     kMseReferenceImage,       kMseReferenceOut};
+/// Known to pbrt-v4, without a meaning here.
+constexpr std::array<std::string_view, 3> kIgnored{"displacementedgescale", "pixelstats",
+                                                   "wavefront"};
+constexpr auto kNames = [] {
+    std::array<std::string_view, kRows.size() + kIgnored.size()> names;
+    for (size_t i = 0; i < kRows.size(); ++i)
+        names[i] = std::visit([](const auto &row) { return row.name; }, kRows[i]);
+    std::copy(kIgnored.begin(), kIgnored.end(), names.begin() + kRows.size());
+    return names;
+}();
 
 /// Letters' case, "-" and "_" do not count.
 std::string Normalised(std::string_view name) {
@@ -78,20 +101,24 @@ std::span<const std::string_view> OptionNames() {
     return kNames;
 }
 
+std::span<const ParamRow> OptionRows() {
+    return kRows;
+}
+
 void ReadOption(DirectiveContext &c) {
     const FileLoc loc = c.arguments.Loc();
     const std::optional<std::string> given = c.arguments.Name("the option's name");
     if (!given) return;
     const std::string name = Normalised(*given);
     Options &o = c.scene->options;
-    if (name == "disablepixeljitter") return ReadFlag(c, &o.disablePixelJitter);
-    if (name == "disablewavelengthjitter") return ReadFlag(c, &o.disableWavelengthJitter);
-    if (name == "disabletexturefiltering") return ReadFlag(c, &o.disableTextureFiltering);
-    if (name == "forcediffuse") return ReadFlag(c, &o.forceDiffuse);
-    if (name == "seed") return ReadInt(c, &o.seed);
-    if (name == "msereferenceimage") return ReadString(c, &o.mseReferenceImage);
-    if (name == "msereferenceout") return ReadString(c, &o.mseReferenceOut);
-    if (name == "rendercoordsys") return ReadCoordSys(c);
+    if (name == kDisablePixelJitter.name) return ReadFlag(c, &o.disablePixelJitter);
+    if (name == kDisableWavelengthJitter.name) return ReadFlag(c, &o.disableWavelengthJitter);
+    if (name == kDisableTextureFiltering.name) return ReadFlag(c, &o.disableTextureFiltering);
+    if (name == kForceDiffuse.name) return ReadFlag(c, &o.forceDiffuse);
+    if (name == kSeed.name) return ReadInt(c, &o.seed);
+    if (name == kMseReferenceImage.name) return ReadString(c, &o.mseReferenceImage);
+    if (name == kMseReferenceOut.name) return ReadString(c, &o.mseReferenceOut);
+    if (name == kRenderCoordSys.name) return ReadCoordSys(c);
     if (std::find(kNames.begin(), kNames.end(), name) == kNames.end()) {
         const bool typed = given->find(' ') != given->npos;
         c.arguments.Error(loc, fmt::format("unknown option \"{}\"{}", *given,

@@ -8,14 +8,24 @@
 namespace pbrt {
 namespace {
 
+constexpr ArrayParam kP{"P", "point3", "an error", "vertices"};
+constexpr ArrayParam kIndices{"indices", "integer", "one face: the vertices in order",
+                              "the vertices of each face, from 0: 3 a triangle, 4 a patch"};
+constexpr ArrayParam kN{"N", "normal", "the faces' own", "shading normal of each vertex"};
+constexpr ArrayParam kS{"S", "vector3", "along u", "tangent of each vertex"};
+constexpr ArrayParam kUV{"uv", "point2", "each face's corners",
+                         "surface coordinates of each vertex"};
+constexpr ArrayParam kFaceIndices{"faceIndices", "integer", "the face's number",
+                                  "number of each face, for textures"};
+
 /// Reads what the two meshes have in common and reports what does not fit.
 class MeshReader {
   public:
     MeshReader(const ShapeArguments &a, int corners) : params(a.params), corners(corners) {}
 
     bool PointsAndIndices(std::vector<Point3f> *p, std::vector<uint32_t> *indices) {
-        *p = params.GetPoint3fArray("P");
-        const std::vector<int> given = params.GetIntArray("indices");
+        *p = params.GetPoint3fArray(kP);
+        const std::vector<int> given = params.GetIntArray(kIndices);
         if (p->empty()) return Fail("", fmt::format("{} needs \"point3 P\"", params.What()));
         if (given.empty() && p->size() != size_t(corners))
             return Fail("", fmt::format("{} needs \"integer indices\", for it has {} points and "
@@ -39,11 +49,11 @@ class MeshReader {
 
     /// An optional array; its length must be `count`.
     template <typename T>
-    void Check(std::string_view type, std::string_view name, std::string_view of, size_t count,
+    void Check(const ArrayParam &row, std::string_view of, size_t count,
                const std::vector<T> &values) {
         if (!values.empty() && values.size() != count)
-            Fail(name, fmt::format("\"{} {}\": {} values for {} {}", type, name, values.size(),
-                                   count, of));
+            Fail(row.name, fmt::format("\"{} {}\": {} values for {} {}", row.type, row.name,
+                                       values.size(), count, of));
     }
 
     bool Fail(std::string_view name, std::string_view message) {
@@ -153,15 +163,15 @@ std::optional<std::string> PlaceMesh(const Transform &renderFromObject, bool rev
 std::vector<Shape> CreateTriangleMesh(const ShapeArguments &a) {
     MeshReader reader(a, 3);
     TriangleMesh mesh;
-    mesh.n = a.params.GetNormalArray("N");
-    mesh.s = a.params.GetVector3fArray("S");
-    mesh.uv = a.params.GetPoint2fArray("uv");
-    mesh.faceIndices = a.params.GetIntArray("faceIndices");
+    mesh.n = a.params.GetNormalArray(kN);
+    mesh.s = a.params.GetVector3fArray(kS);
+    mesh.uv = a.params.GetPoint2fArray(kUV);
+    mesh.faceIndices = a.params.GetIntArray(kFaceIndices);
     if (!reader.PointsAndIndices(&mesh.p, &mesh.indices)) return {};
-    reader.Check("normal", "N", "points", mesh.p.size(), mesh.n);
-    reader.Check("vector3", "S", "points", mesh.p.size(), mesh.s);
-    reader.Check("point2", "uv", "points", mesh.p.size(), mesh.uv);
-    reader.Check("integer", "faceIndices", "triangles", mesh.NPrimitives(), mesh.faceIndices);
+    reader.Check(kN, "points", mesh.p.size(), mesh.n);
+    reader.Check(kS, "points", mesh.p.size(), mesh.s);
+    reader.Check(kUV, "points", mesh.p.size(), mesh.uv);
+    reader.Check(kFaceIndices, "triangles", mesh.NPrimitives(), mesh.faceIndices);
     if (!reader.Ok()) return {};
     return Finish(a, std::move(mesh));
 }
@@ -169,13 +179,13 @@ std::vector<Shape> CreateTriangleMesh(const ShapeArguments &a) {
 std::vector<Shape> CreateBilinearMesh(const ShapeArguments &a) {
     MeshReader reader(a, 4);
     BilinearMesh mesh;
-    mesh.n = a.params.GetNormalArray("N");
-    mesh.uv = a.params.GetPoint2fArray("uv");
-    mesh.faceIndices = a.params.GetIntArray("faceIndices");
+    mesh.n = a.params.GetNormalArray(kN);
+    mesh.uv = a.params.GetPoint2fArray(kUV);
+    mesh.faceIndices = a.params.GetIntArray(kFaceIndices);
     if (!reader.PointsAndIndices(&mesh.p, &mesh.indices)) return {};
-    reader.Check("normal", "N", "points", mesh.p.size(), mesh.n);
-    reader.Check("point2", "uv", "points", mesh.p.size(), mesh.uv);
-    reader.Check("integer", "faceIndices", "patches", mesh.NPrimitives(), mesh.faceIndices);
+    reader.Check(kN, "points", mesh.p.size(), mesh.n);
+    reader.Check(kUV, "points", mesh.p.size(), mesh.uv);
+    reader.Check(kFaceIndices, "patches", mesh.NPrimitives(), mesh.faceIndices);
     if (!reader.Ok()) return {};
     return Finish(a, std::move(mesh));
 }

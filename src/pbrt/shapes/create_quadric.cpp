@@ -10,37 +10,40 @@
 namespace pbrt {
 namespace {
 
+constexpr FloatParam kRadius{"radius", "", 1, kAboveZero, kOpen, "distance of the surface"};
+constexpr FloatParam kZMin{"zmin", "", -1, -kOpen, kOpen, "lower cut; a sphere's default: -radius"};
+constexpr FloatParam kZMax{"zmax", "", 1, -kOpen, kOpen, "upper cut; a sphere's default: radius"};
+constexpr FloatParam kPhiMax{"phimax",   "deg", 360,
+                             kAboveZero, 360,   "how far the surface goes round the z axis"};
+constexpr FloatParam kHeight{"height", "", 0, -kOpen, kOpen, "z of the disk"};
+constexpr FloatParam kInnerRadius{
+    "innerradius", "", 0, 0, kOpen, "radius of the hole, less than radius"};
+
 /// Parameters that quadrics share, each with its check.
 class QuadricReader {
   public:
-    explicit QuadricReader(const ShapeArguments &a) : a(a) {
+    explicit QuadricReader(const ShapeArguments &a) : a(a), before(a.params.Log().ErrorCount()) {
         const auto &m = a.renderFromObject.Matrix();
         if (m[3] != std::array<float, 4>{0, 0, 0, 1})
             Fail("", "cannot be placed by a perspective transform");
     }
 
-    /// 1 after an error, so that it causes no others.
-    float Radius() {
-        const float radius = a.params.GetOneFloat("radius", 1);
-        if (radius > 0 && radius < Infinity) return radius;
-        Fail("radius", fmt::format("\"float radius\": {} is not more than 0", radius));
-        return 1;
-    }
+    float Radius() { return a.params.GetOneFloat(kRadius); }
 
     /// In radians, (0, 2 pi].
     float PhiMax() {
-        const float degrees = a.params.GetOneFloat("phimax", 360);
-        if (!(degrees > 0 && degrees <= 360))
-            Fail("phimax", fmt::format("\"float phimax\": {} is outside (0, 360] deg", degrees));
+        const float degrees = a.params.GetOneFloat(kPhiMax);
         return degrees >= 360 ? 2 * Pi : Radians(degrees);
     }
 
-    /// zmin < zmax.
+    /// zmin < zmax; *zMin and *zMax are the defaults.
     void ZRange(float *zMin, float *zMax) {
-        *zMin = a.params.GetOneFloat("zmin", *zMin);
-        *zMax = a.params.GetOneFloat("zmax", *zMax);
+        FloatParam low = kZMin, high = kZMax;
+        low.def = *zMin, high.def = *zMax;
+        *zMin = a.params.GetOneFloat(low);
+        *zMax = a.params.GetOneFloat(high);
         if (!(*zMin < *zMax))
-            Fail(a.params.Has("zmin", "float") ? "zmin" : "zmax",
+            Fail(a.params.Has(kZMin) ? kZMin.name : kZMax.name,
                  fmt::format("zmin, {}, is not less than zmax, {}", *zMin, *zMax));
     }
 
@@ -49,7 +52,6 @@ class QuadricReader {
             a.params.Error(fmt::format("{} {}", a.params.What(), message));
         else
             a.params.Error(name, message);
-        ok = false;
     }
 
     /// `lengths`: all the quadric has.
@@ -62,8 +64,8 @@ class QuadricReader {
                 quadric.*length /= unit;
             quadric.renderFromObject = a.renderFromObject * *Transform::Scale({unit, unit, unit});
         }
-        if (ok) CheckSize(quadric.renderFromObject);
-        if (!ok) return {};
+        if (Ok()) CheckSize(quadric.renderFromObject);
+        if (!Ok()) return {};
         quadric.flipNormal = a.entity.reverseOrientation;
         return {Shape(quadric)};
     }
@@ -78,15 +80,17 @@ class QuadricReader {
     void CheckSize(const Transform &renderFromObject) {
         const Transform inverse = renderFromObject.Inverse();
         for (const Vector3f &axis : {Vector3f{1, 0, 0}, Vector3f{0, 1, 0}, Vector3f{0, 0, 1}})
-            if (ok && !(HasSafeLength(renderFromObject.Vector(axis)) &&
-                        HasSafeLength(inverse.Vector(axis))))
+            if (Ok() && !(HasSafeLength(renderFromObject.Vector(axis)) &&
+                          HasSafeLength(inverse.Vector(axis))))
                 Fail("", fmt::format("is {:g} in size where it stands; {:g} to {:g} can be traced",
                                      Length(renderFromObject.Vector(axis)), kShortestVector,
                                      kFarthest));
     }
 
+    bool Ok() const { return a.params.Log().ErrorCount() == before; }
+
     const ShapeArguments &a;
-    bool ok = true;
+    int before;  ///< errors of others
 };
 
 }  // namespace
@@ -99,8 +103,9 @@ std::vector<Shape> CreateSphere(const ShapeArguments &a) {
     s.zMax = s.radius;
     reader.ZRange(&s.zMin, &s.zMax);
     if (s.zMin >= s.radius || s.zMax <= -s.radius)
-        reader.Fail("zmin", fmt::format("zmin, {}, to zmax, {}, leaves nothing of the radius, {}",
-                                        s.zMin, s.zMax, s.radius));
+        reader.Fail(kZMin.name,
+                    fmt::format("zmin, {}, to zmax, {}, leaves nothing of the radius, {}", s.zMin,
+                                s.zMax, s.radius));
     s.zMin = std::max(s.zMin, -s.radius);
     s.zMax = std::min(s.zMax, s.radius);
     s.phiMax = reader.PhiMax();
@@ -110,12 +115,12 @@ std::vector<Shape> CreateSphere(const ShapeArguments &a) {
 std::vector<Shape> CreateDisk(const ShapeArguments &a) {
     QuadricReader reader(a);
     Disk d;
-    d.height = a.params.GetOneFloat("height", 0);
+    d.height = a.params.GetOneFloat(kHeight);
     d.radius = reader.Radius();
-    d.innerRadius = a.params.GetOneFloat("innerradius", 0);
-    if (!(d.innerRadius >= 0 && d.innerRadius < d.radius))
-        reader.Fail("innerradius", fmt::format("\"float innerradius\": {} is outside [0, {})",
-                                               d.innerRadius, d.radius));
+    d.innerRadius = a.params.GetOneFloat(kInnerRadius);
+    if (!(d.innerRadius < d.radius))
+        reader.Fail(kInnerRadius.name, fmt::format("\"float innerradius\": {} is outside [0, {})",
+                                                   d.innerRadius, d.radius));
     d.phiMax = reader.PhiMax();
     return reader.Finish(d, {&Disk::radius, &Disk::innerRadius, &Disk::height});
 }

@@ -8,9 +8,15 @@
 #include "pbrt/util/parse_number.h"
 
 namespace pbrt {
+namespace {
+
+constexpr StringParam kEncoding{"encoding", "",
+                                "sRGB, linear or \"gamma x\"; not given: as the file's kind is"};
+
+}  // namespace
 
 std::optional<ColorEncoding> GetEncoding(ParamDict &params) {
-    const std::string text = params.GetOneString("encoding", "");
+    const std::string text = params.GetOneString(kEncoding);
     if (text.empty()) return std::nullopt;
     if (text == "sRGB") return ColorEncoding{ColorEncoding::Kind::sRGB, 1};
     if (text == "linear") return ColorEncoding{ColorEncoding::Kind::Linear, 1};
@@ -20,7 +26,7 @@ std::optional<ColorEncoding> GetEncoding(ParamDict &params) {
         if (gamma && *gamma > 0 && *gamma < 100)
             return ColorEncoding{ColorEncoding::Kind::Gamma, *gamma};
     }
-    params.Error("encoding",
+    params.Error(kEncoding.name,
                  fmt::format("unknown encoding \"{}\"; expected \"sRGB\", \"linear\" or "
                              "\"gamma x\" with a number x above 0 and below 100",
                              text));

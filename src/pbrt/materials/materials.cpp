@@ -1,4 +1,4 @@
-#include "pbrt/materials/material.h"
+#include "pbrt/materials/materials.h"
 
 #include "pbrt/materials/mix.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pbrt/bxdfs/bxdf.h"
+#include "pbrt/base/bxdf.h"
 #include "pbrt/feather/barbule.h"
 
 namespace pbrt {
@@ -12,10 +12,15 @@ struct FeatherSurface {
     feather::Optics<float, NSpectrumSamples> optics;
 };
 
+class FeatherBarbulePacket;
+
 /// Thin adapter of feather::Barbule to the renderer's conventions; all mathematics is there.
 /// Local frame: z the normal, y along the barbules, x across them; lives on both sides.
 class FeatherBarbuleBxDF {
   public:
+    static constexpr BxDFTraits kTraits{.evaluatesTogether = true, .hasPacket = true};
+    using Packet = FeatherBarbulePacket;  ///< in feather_barbule_packet.h
+    using PacketInput = FeatherSurface;
     using Model = feather::Barbule<float, NSpectrumSamples>;
     static constexpr BxDFFlags kFlags =
         BxDFFlags::Reflection | BxDFFlags::Transmission | BxDFFlags::Glossy | BxDFFlags::Diffuse;
@@ -63,6 +68,6 @@ class FeatherBarbuleBxDF {
     static feather::Direction<float> Local(Vector3f w) { return {w.x, w.y, w.z}; }
     Model barbule;
 };
-static_assert(BxDFModel<FeatherBarbuleBxDF>);
+static_assert(BxDFType<FeatherBarbuleBxDF>);
 
 }  // namespace pbrt

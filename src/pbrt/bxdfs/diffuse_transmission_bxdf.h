@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pbrt/bxdfs/bxdf.h"
+#include "pbrt/base/bxdf.h"
 #include "pbrt/util/sampling.h"
 
 namespace pbrt {
@@ -9,6 +9,8 @@ namespace pbrt {
 /// `transmittance`, each >= 0, add to 1 at most.
 class DiffuseTransmissionBxDF {
   public:
+    static constexpr BxDFTraits kTraits{};
+
     DiffuseTransmissionBxDF(SampledSpectrum reflectance, SampledSpectrum transmittance)
         : reflected(reflectance * InvPi), transmitted(transmittance * InvPi) {
         const float r = reflected.MaxComponentValue(), t = transmitted.MaxComponentValue();
@@ -45,6 +47,6 @@ class DiffuseTransmissionBxDF {
     SampledSpectrum reflected, transmitted;
     float chanceOfReflection = 0.5f;
 };
-static_assert(BxDFModel<DiffuseTransmissionBxDF>);
+static_assert(BxDFType<DiffuseTransmissionBxDF>);
 
 }  // namespace pbrt

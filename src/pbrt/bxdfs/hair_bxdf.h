@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "pbrt/bxdfs/bxdf.h"
+#include "pbrt/base/bxdf.h"
 #include "pbrt/bxdfs/fresnel.h"
 #include "pbrt/bxdfs/hair_math.h"
 
@@ -17,6 +17,8 @@ namespace pbrt {
 /// Light passes through, so the BxDF lives on the whole sphere.
 class HairBxDF {
   public:
+    static constexpr BxDFTraits kTraits{.evaluatesTogether = true};
+
     /// h: where it is hit along y, as seen from +z, in [-1, 1]. eta: index of the inside, >= 1.
     /// sigma_a: absorption per fibre radius, >= 0. beta_m, beta_n: roughness along and around the
     /// fibre, in [0.01, 1]. alpha: tilt of the scales, degrees.
@@ -79,7 +81,7 @@ class HairBxDF {
     TrimmedLogistic azimuthal;
     Inclination tilt;  ///< sine and cosine of the angle added to wo's, by lobe
 };
-static_assert(BxDFModel<HairBxDF>);
+static_assert(BxDFType<HairBxDF>);
 
 /// Variances of the lobes' inclinations; Chiang et al. 2016, eq. 7, TT and TRT as Marschner et al.
 inline FloatX4 HairBxDF::Variances(float beta_m) {

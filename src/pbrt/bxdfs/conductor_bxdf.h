@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pbrt/bxdfs/bxdf.h"
+#include "pbrt/base/bxdf.h"
 #include "pbrt/bxdfs/fresnel.h"
 #include "pbrt/bxdfs/microfacet.h"
 
@@ -10,6 +10,8 @@ namespace pbrt {
 /// (Torrance and Sparrow 1967; sampling by visible normals). Both sides reflect alike.
 class ConductorBxDF {
   public:
+    static constexpr BxDFTraits kTraits{.regularizes = true};
+
     ConductorBxDF(SampledSpectrum eta, SampledSpectrum k, float alphaX, float alphaY)
         : eta(eta), k(k), facets(alphaX, alphaY) {}
 
@@ -60,6 +62,6 @@ class ConductorBxDF {
     SampledSpectrum eta, k;
     TrowbridgeReitz facets;
 };
-static_assert(BxDFModel<ConductorBxDF>);
+static_assert(BxDFType<ConductorBxDF>);
 
 }  // namespace pbrt

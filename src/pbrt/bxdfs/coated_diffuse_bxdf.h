@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pbrt/bxdfs/bxdf.h"
+#include "pbrt/base/bxdf.h"
 #include "pbrt/bxdfs/coat.h"
 #include "pbrt/bxdfs/microfacet.h"
 #include "pbrt/util/sampling.h"
@@ -19,6 +19,8 @@ namespace pbrt {
 /// 0.5 (test/bxdf/coated_diffuse_test.cpp).
 class CoatedDiffuseBxDF {
   public:
+    static constexpr BxDFTraits kTraits{.regularizes = true};
+
     /// `reflectance` of the base, in [0, 1]; alphas within those of `coat`, which must outlive
     /// this.
     CoatedDiffuseBxDF(SampledSpectrum reflectance, const Coat &coat, float alphaX, float alphaY)
@@ -77,7 +79,7 @@ class CoatedDiffuseBxDF {
     SampledSpectrum matt;  ///< f over t(wo) t(wi)
     float mattAlbedo;      ///< largest share of what reaches the base that leaves again
 };
-static_assert(BxDFModel<CoatedDiffuseBxDF>);
+static_assert(BxDFType<CoatedDiffuseBxDF>);
 
 inline SampledSpectrum CoatedDiffuseBxDF::Value(const Coat::Split &o, Vector3f wo,
                                                 Vector3f wi) const {

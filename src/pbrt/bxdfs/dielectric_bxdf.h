@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pbrt/bxdfs/bxdf.h"
+#include "pbrt/base/bxdf.h"
 #include "pbrt/bxdfs/fresnel.h"
 #include "pbrt/bxdfs/microfacet.h"
 
@@ -11,6 +11,8 @@ namespace pbrt {
 /// as in reflection). Radiance that crosses is scaled by (incident / transmitted index)^2.
 class DielectricBxDF {
   public:
+    static constexpr BxDFTraits kTraits{.regularizes = true};
+
     DielectricBxDF(float eta, float alphaX, float alphaY)
         : eta(eta), facets(alphaX, alphaY), isDelta(eta == 1 || facets.IsSmooth()) {}
 
@@ -62,7 +64,7 @@ class DielectricBxDF {
     TrowbridgeReitz facets;
     bool isDelta;
 };
-static_assert(BxDFModel<DielectricBxDF>);
+static_assert(BxDFType<DielectricBxDF>);
 
 /// The microfacet that reflects or refracts wo into wi; none where its back would be hit.
 inline std::optional<DielectricBxDF::Facet> DielectricBxDF::FacetBetween(Vector3f wo, Vector3f wi,
