@@ -158,9 +158,8 @@ class BatchTracer final : public Tracer {
         UintX16 kind = Select(found, Gather(kindOf.data(), geometry), 0);
         ForEachLane(met & BitsOf(kind == kMix), [&](int i) {
             const Ray ray = packet.At(i);
-            const MaterialId id =
-                scene.MaterialMet(MaterialId(material[i]), scene.SurfaceAt(hits.At(i), ray), ray.d,
-                                  paths.clamped);
+            const MaterialId id = scene.MaterialMet(
+                MaterialId(material[i]), scene.SurfaceAt(hits.At(i), ray), ray.d, paths.clamped);
             material.Set(i, uint32_t(id));
             kind.Set(i, MaterialGroup(uint32_t(id)));
         });
