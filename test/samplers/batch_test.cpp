@@ -10,7 +10,8 @@ namespace {
 constexpr Point2i kResolution{300, 500};
 
 std::vector<Sampler> AllSamplers() {
-    std::vector<Sampler> samplers{ZSobolSampler(1 << 20, kResolution, Randomization::Owen, 8),
+    std::vector<Sampler> samplers{StratifiedSampler(5, 3, false, 5),
+                                  ZSobolSampler(1 << 20, kResolution, Randomization::Owen, 8),
                                   ZSobolSampler(1, {1, 1}, Randomization::None, 0)};
     for (const Sampler &example : SamplerExamples(kResolution, 7))
         samplers.push_back(example);

@@ -57,8 +57,9 @@ concept HasBatches = requires(S s, std::span<const Point2i> pixels, int dimensio
 ///   Get1D()                  the next draw, in [0, 1)
 ///   Get2D()                  the next draw, in [0, 1)^2
 ///
-/// The same seed, pixel, index and dimension give the same numbers, in any order. Each draw is
-/// uniform over the samples of all pixels, and so are pairs of draws.
+/// kExamples give no seed and take all randomness that there is. The same seed, pixel, index and
+/// dimension give the same numbers, in any order. Each draw is uniform over the samples of all
+/// pixels, and so are pairs of draws.
 template <typename S>
 concept SamplerType = PlugInType<S> && std::copyable<S> &&
     requires(S s, const S fixed, ParamDict &params, const SamplerContext &context, Point2i pixel) {

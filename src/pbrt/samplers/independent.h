@@ -12,8 +12,7 @@ class IndependentSampler {
   public:
     static constexpr std::string_view kName = "independent";
     static constexpr SamplerTraits kTraits{.hasBatches = true};
-    static constexpr std::array<std::string_view, 2> kExamples{
-        "", "\"integer pixelsamples\" 16 \"integer seed\" 3"};
+    static constexpr std::array<std::string_view, 2> kExamples{"", "\"integer pixelsamples\" 16"};
 
     explicit IndependentSampler(int samplesPerPixel = 4, int seed = 0)
         : samplesPerPixel(samplesPerPixel), seed(seed) {}

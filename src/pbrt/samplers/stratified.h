@@ -17,8 +17,8 @@ class StratifiedSampler {
   public:
     static constexpr std::string_view kName = "stratified";
     static constexpr SamplerTraits kTraits{.hasBatches = true};
-    static constexpr std::array<std::string_view, 4> kExamples{
-        "", "\"integer xsamples\" 5 \"integer ysamples\" 3", "\"bool jitter\" false",
+    static constexpr std::array<std::string_view, 3> kExamples{
+        "", "\"integer xsamples\" 5 \"integer ysamples\" 3",
         "\"integer xsamples\" 1 \"integer ysamples\" 1"};
 
     /// Without jitter samples lie in the cells' middles. Counts from 1 to 2^10.

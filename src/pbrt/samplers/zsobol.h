@@ -35,8 +35,7 @@ class ZSobolSampler {
     static constexpr SamplerTraits kTraits{.hasBatches = true};
     static constexpr std::array<std::string_view, 4> kExamples{
         "", "\"string randomization\" \"owen\" \"integer pixelsamples\" 32",
-        "\"string randomization\" \"permutedigits\" \"integer seed\" 9",
-        "\"integer pixelsamples\" 1"};
+        "\"string randomization\" \"permutedigits\"", "\"integer pixelsamples\" 1"};
 
     /// samplesPerPixel: a power of two up to 2^24; resolution up to 2^16 on each side.
     explicit ZSobolSampler(int samplesPerPixel = 16, Point2i fullResolution = {1, 1},
