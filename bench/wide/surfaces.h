@@ -58,8 +58,7 @@ inline void AddSurface(Stopwatch &watch, const std::string &name, Rng &rng,
         for (int i = 0; i < kPacketSize; ++i) {
             const size_t which = rng.Below(uint32_t(work->shapes.size()));
             met.shape[size_t(i)] = &work->shapes[which];
-            met.hit.primitive[i] = rng.Below(uint32_t(
-                std::visit([](const auto &s) { return s.NPrimitives(); }, work->shapes[which])));
+            met.hit.primitive[i] = rng.Below(uint32_t(NPrimitives(work->shapes[which])));
             met.hit.geometry[i] = uint32_t(which), met.hit.instance[i] = ~0u;
             met.hit.u[i] = 0.5f * rng.Uniform(), met.hit.v[i] = 0.5f * rng.Uniform();
             met.hit.t[i] = rng.Uniform();

@@ -4,6 +4,7 @@
 
 #include "pbrt/build/build_shapes.h"
 #include "pbrt/build/instance_range.h"
+#include "pbrt/shapes/parallelogram.h"
 
 namespace pbrt {
 namespace {
@@ -40,7 +41,7 @@ IntegratorChoice ReadIntegrator(const SceneDescription &description, Diagnostics
     return choice;
 }
 
-/// Embree chooses for itself: pbrt's hints are checked and have no effect.
+/// The ray tracer chooses for itself: pbrt's hints are checked and have no effect.
 void ReadAccelerator(const SceneDescription &description, Diagnostics &log) {
     if (description.accelerator.type.empty()) return;
     ParamDict params = Params(description.accelerator, "accelerator", description.accelerator.type,
@@ -73,7 +74,7 @@ void ReadSampling(const SceneDescription &description, const Overrides &override
 
 /// Two triangles that make a parallelogram, as one patch: one light is chosen and sampled better
 /// than two. Not where `power` is given, which is each triangle's (PBRT_FORMAT 2.10).
-std::optional<Shape> MergedEmitter(const Geometry &geometry, ParamDict &params) {
+std::optional<BilinearMesh> MergedEmitter(const Geometry &geometry, ParamDict &params) {
     const auto *mesh = std::get_if<TriangleMesh>(&geometry.shape);
     if (!mesh || params.Has("power") || !geometry.alpha.IsConstant()) return {};
     return AsParallelogram(*mesh);
@@ -91,7 +92,7 @@ void BuildLights(const SceneDescription &description, const std::string &lightSa
         Geometry &geometry = scene.geometries[emitter.geometry];
         ParamDict params =
             Params(*emitter.areaLight, "area light", emitter.areaLight->type, description, log);
-        const std::optional<Shape> merged = MergedEmitter(geometry, params);
+        const std::optional<BilinearMesh> merged = MergedEmitter(geometry, params);
         if (merged) scene.emitterShapes.push_back(*merged);
         geometry.sharedLight = merged.has_value();
         std::vector<Light> made =
@@ -106,7 +107,7 @@ void BuildLights(const SceneDescription &description, const std::string &lightSa
     if (bounds.Empty()) bounds = {{-1, -1, -1}, {1, 1, 1}};
     for (size_t i = 0; i < scene.lights.size(); ++i) {
         Preprocess(scene.lights[i], bounds);
-        if (IsInfinite(scene.lights[i])) scene.infiniteLights.push_back(int(i));
+        if (Traits(scene.lights[i]).isInfinite) scene.infiniteLights.push_back(int(i));
     }
     scene.lightSampler = LightSampler::Create(lightSampler, scene.lights);
     if (scene.lights.empty() && !log.HasErrors())

@@ -1,8 +1,7 @@
 #pragma once
 
+#include "pbrt/base/light.h"
 #include "pbrt/lights/emission.h"
-#include "pbrt/lights/light.h"
-#include "pbrt/lights/light_bounds.h"
 #include "pbrt/util/transform.h"
 
 namespace pbrt {
@@ -10,6 +9,10 @@ namespace pbrt {
 /// The same radiant intensity into all directions.
 struct PointLight {
     static constexpr std::string_view kName = "point";
+    static constexpr LightTraits kTraits{.isDelta = true};
+    static constexpr std::array kExamples{
+        std::string_view(R"(LightSource "point" "point3 from" [ 1 2 3 ] "float scale" 6)"),
+        std::string_view(R"(Translate 1 0 0 LightSource "point" "rgb I" [ 3 2 1 ])")};
     static PointLight Create(ParamDict &params, const Transform &renderFromLight);
 
     std::optional<LightLiSample> SampleLi(const LightSampleContext &ctx, Point2f,

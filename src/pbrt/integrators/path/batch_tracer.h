@@ -7,7 +7,7 @@
 
 namespace pbrt {
 
-/// Traces a batch of paths side by side, one vertex of each at a time: rays go through Embree in
+/// Traces a batch of paths side by side, one vertex of each at a time: rays are traced in
 /// packets, and what a packet's sixteen paths do alike is done at once. Every path's result depends
 /// on nothing but its pixel and sample number, and, in its roundings, on the paths that share its
 /// packets: which these are depends on the scene and the picture's bounds, not on threads. Large

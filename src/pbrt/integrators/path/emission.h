@@ -2,6 +2,7 @@
 
 #include "pbrt/build/render_scene.h"
 #include "pbrt/integrators/path/path_batch.h"
+#include "pbrt/lights/light_packet.h"
 #include "pbrt/util/sampling.h"
 
 namespace pbrt {
@@ -33,17 +34,14 @@ inline SampledSpectrum EscapedRadiance(const RenderScene &scene, const PathState
 /// Adds that of all infinite lights to batch.L, for the given lanes.
 inline void AddEscapedRadiance(const RenderScene &scene, const PathPacket &paths, LaneBits lanes,
                                PathBatch *batch) {
+    WavelengthPacket lambda{};
+    ForEachLane(lanes, [&](int i) { lambda[size_t(i)] = &batch->lambda[paths.slot[i]]; });
     for (int index : scene.infiniteLights) {
-        const Light &light = scene.lights[size_t(index)];
-        const auto *const image = std::get_if<ImageInfiniteLight>(&light);
-        const auto place = image ? image->Along(paths.d) : ImageInfiniteLight::Place<FloatX16>();
+        LightLePacket le;
+        Le(scene.lights[size_t(index)], paths.d, lambda, lanes, &le);
         ForEachLane(lanes, [&](int i) {
-            const SampledWavelengths &lambda = batch->lambda[paths.slot[i]];
-            const PathState path = paths.At(i);
-            const SampledSpectrum Le = image ? image->RadianceAt(Lane(place.p, i), lambda)
-                                             : pbrt::Le(light, path.ray, lambda);
             batch->L[paths.slot[i]] +=
-                EscapedRadiance(scene, path, index, Le, image ? place.pdf[i] : 0);
+                EscapedRadiance(scene, paths.At(i), index, le.L[size_t(i)], le.pdf[i]);
         });
     }
 }
@@ -55,12 +53,12 @@ inline SampledSpectrum EmittedRadiance(const RenderScene &scene, const PathState
                                        const SampledWavelengths &lambda) {
     const int index = RenderScene::LightOf(geometry, primitive);
     const Light &light = scene.lights[size_t(index)];
-    const SampledSpectrum Le = L(light, sp.p, sp.n, sp.uv, -path.ray.d, lambda);
+    const SampledSpectrum Le = L(light, sp.n, -path.ray.d, lambda);
     if (!Le) return Le;
     float lightPDF = 0;
     if (path.bsdfPDF != 0)
         lightPDF = scene.lightSampler.PMF(path.previous, index) *
-                   PDF_Hit(light, path.previous, path.ray.d, sp.p, sp.n);
+                   PDF_Hit(light, path.previous, sp.p, sp.n);
     return path.beta * Le * MISWeight(scene, path, lightPDF);
 }
 

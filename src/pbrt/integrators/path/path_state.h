@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "pbrt/accel/packet.h"
-#include "pbrt/lights/light.h"
+#include "pbrt/base/hit.h"
+#include "pbrt/base/light.h"
 
 namespace pbrt {
 
