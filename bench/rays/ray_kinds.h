@@ -35,7 +35,8 @@ struct RayKind {
 /// light was drawn for. The bounces also sorted by octant.
 class RayKinds {
   public:
-    explicit RayKinds(const RenderScene &world) : world(world), rng(1) {
+    explicit RayKinds(const RenderScene &world)
+        : world(world), lightSampler(LightSampler::Create("bvh", world.lights)), rng(1) {
         const Point2i resolution = world.film.FullResolution();
         for (int batch = 0; batch < kBatches; ++batch)
             Trace({std::floor(rng.Uniform() * (resolution.x - 4)),
@@ -80,7 +81,7 @@ class RayKinds {
         const auto lambda = SampledWavelengths::SampleVisible(rng.Uniform());
         const float uLight = rng.Uniform();
         const Point2f u = rng.Uniform2D();
-        if (const auto chosen = world.lightSampler.Sample(ctx, uLight)) {
+        if (const auto chosen = lightSampler.Sample(ctx, uLight)) {
             const auto ls = SampleLi(world.lights[size_t(chosen->light)], ctx, u, lambda);
             if (ls && Dot(ls->wi, n) > 0) {
                 const Point3f from = sp.OffsetOrigin(ls->wi);
@@ -92,6 +93,7 @@ class RayKinds {
     }
 
     const RenderScene &world;
+    LightSampler lightSampler;
     Rng rng;
 };
 

@@ -9,9 +9,8 @@
 
 #include "bench/sampling/cosine_lobe.h"
 #include "bench/stopwatch.h"
-#include "pbrt/build/build_scene.h"
+#include "pbrt/integrators/path/batch_tracer.h"
 #include "pbrt/render/render.h"
-#include "pbrt/render/tile.h"
 #include "pbrt/scene/parser.h"
 
 namespace pbrt::bench {
@@ -19,72 +18,78 @@ namespace {
 
 constexpr int kMostSamples = 256, kReferenceSeed = 1;
 
-std::unique_ptr<RenderScene> Load(const char *fileName, int spp, int seed) {
+RenderTask Load(const char *fileName, int spp, int seed) {
     Diagnostics log;
-    SceneDescription scene;
-    scene.options.seed = seed;
-    ParseFiles({fileName}, scene, log);
+    SceneDescription description;
+    description.options.seed = seed;
+    ParseFiles({fileName}, description, log);
     Overrides overrides;
     overrides.spp = spp;
     overrides.film.quick = true;
-    auto world = BuildScene(scene, overrides, log);
+    std::optional<RenderTask> task = MakeRenderTask(description, overrides, log);
     for (const Message &m : log.Messages())
         std::fprintf(stderr, "%s\n", m.text.c_str());
-    if (!world) std::exit(1);
-    return world;
+    if (!task) std::exit(1);
+    return std::move(*task);
 }
 
-/// On this thread.
+/// Renders on this thread.
 template <typename Scattering>
-void RenderAlone(RenderScene &world) {
+Image RenderAlone(const RenderScene &scene, const PathSettings &settings) {
+    std::unique_ptr<Tracer> tracer =
+        Dispatch(scene.sampler, [&]<typename S>(const S &sampler) -> std::unique_ptr<Tracer> {
+            return std::make_unique<BatchTracer<S, Scattering>>(scene, settings, sampler);
+        });
+    const int spp = Dispatch(scene.sampler, [](const auto &s) { return s.SamplesPerPixel(); });
     RayCounts rays;
-    std::visit(
-        [&]<typename SamplerT>(const SamplerT &sampler) {
-            const auto tracer = std::make_unique<BatchTracer<SamplerT, Scattering>>(world, sampler);
-            RenderPixels(world, PixelsAlongCurve(world.film.Bounds()), sampler.SamplesPerPixel(),
-                         *tracer, rays, [] { return true; });
-        },
-        world.sampler);
-}
-
-std::vector<double> Values(const RenderScene &world) {
-    const PixelBounds b = world.film.Bounds();
-    std::vector<double> values;
-    for (int i = 0; i < b.Area(); ++i) {
-        const RGB c = world.film.PixelRGB({b.x0 + i % b.Width(), b.y0 + i / b.Width()});
-        values.insert(values.end(), {c.r, c.g, c.b});
+    Image image = scene.film.NewImage();
+    for (const PixelBounds &tile : TilesOf(scene.film)) {
+        const std::vector<Point2i> pixels = PixelsAlongCurve(tile);
+        tracer->StartTile(pixels);
+        std::vector<Film::Pixel> sums(pixels.size(), scene.film.NewPixel());
+        for (SampleRange b = BlockAt(0, spp); b.Size() > 0; b = BlockAt(b.last, spp)) {
+            const int together = kBatchSize / b.Size(), n = int(pixels.size());
+            for (int p = 0; p < n; p += together)
+                tracer->Trace({p, std::min(p + together, n), b.first, b.last}, sums, rays);
+        }
+        for (size_t i = 0; i < pixels.size(); ++i)
+            scene.film.Develop(pixels[i], sums[i], &image);
     }
-    return values;
+    return image;
 }
 
-double RelativeError(const std::vector<double> &values, const std::vector<double> &reference) {
+/// Of films `rgb`.
+double RelativeError(const Image &image, const Image &reference) {
+    const std::vector<float> &values = image.Data(), &expected = reference.Data();
     double squares = 0, sum = 0;
     for (size_t i = 0; i < values.size(); ++i) {
-        squares += Sqr(values[i] - reference[i]);
-        sum += reference[i];
+        squares += Sqr(double(values[i]) - expected[i]);
+        sum += expected[i];
     }
-    return std::sqrt(squares / values.size()) / (sum / values.size());
+    return std::sqrt(squares / double(values.size())) / (sum / double(values.size()));
 }
 
 template <typename Scattering>
 void Measure(const char *fileName, const char *way, LightStrategy strategy,
-             const std::vector<double> &reference) {
+             const Image &reference) {
     for (int spp = 1; spp <= kMostSamples; spp *= 4) {
-        const auto world = Load(fileName, spp, 0);
-        world->path.strategy = strategy;
+        const RenderTask task = Load(fileName, spp, 0);
+        PathSettings settings;
+        settings.strategy = strategy;
+        settings.Preprocess(*task.scene);
         const double start = ThreadSeconds();
-        RenderAlone<Scattering>(*world);
+        const Image image = RenderAlone<Scattering>(*task.scene, settings);
         const double seconds = ThreadSeconds() - start;
-        std::printf("%s,%d,%.4g,%.4g\n", way, spp, seconds,
-                    RelativeError(Values(*world), reference));
+        std::printf("%s,%d,%.4g,%.4g\n", way, spp, seconds, RelativeError(image, reference));
         std::fflush(stdout);
     }
 }
 
 void Run(const char *fileName, int referenceSamples) {
-    const auto world = Load(fileName, referenceSamples, kReferenceSeed);
-    Render(*world, 0, [](int64_t, int64_t) { return true; });
-    const std::vector<double> reference = Values(*world);
+    const RenderTask task = Load(fileName, referenceSamples, kReferenceSeed);
+    Image reference;
+    Render(
+        task, 0, [](int64_t, int64_t) { return true; }, &reference);
     std::printf("way,spp,seconds,rms_error\n");
     Measure<DefaultScattering>(fileName, "model", LightStrategy::Both, reference);
     Measure<FeathersByCosine>(fileName, "cosine lobe", LightStrategy::Both, reference);

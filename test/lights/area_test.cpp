@@ -42,7 +42,7 @@ TEST(DiffuseAreaLight, ShinesFromItsOutsideOnlyUnlessTwoSided) {
     EXPECT_NEAR(Illuminance(two.lights, {0, 0, -0.7f}, {0, 0, 1}, 20000),
                 RectangleIlluminance(2, 1, 0.7), 4e-3);
     const auto seen = [](const AreaScene &s, Vector3f w) {
-        return L(s.lights[0], {0, 0, 1}, w, kLambda)[3] * kLuminance;
+        return L(s.lights[0], {}, {0, 0, 1}, {}, w, kLambda)[3] * kLuminance;
     };
     EXPECT_NEAR(seen(one, {0, 0, 1}), 1, 1e-4);
     EXPECT_EQ(seen(one, {0, 0, -1}), 0);

@@ -92,10 +92,10 @@ TYPED_TEST(EveryLight, InfiniteOnesAreSeenAsTheyAreSampled) {
     ForEachSample<L>(3, [&](const LightCase &c, const LightSampleContext &,
                             const SampledWavelengths &lambda, const LightLiSample &s) {
         ++samples;
-        const LightLe le = Le(c.light, s.wi, lambda);
-        bool same = std::abs(le.pdf / s.pdf - 1) < 1e-3f;
+        const SampledSpectrum Le = pbrt::Le(c.light, Ray{{}, s.wi}, lambda);
+        bool same = std::abs(PDF_Li(c.light, s.wi) / s.pdf - 1) < 1e-3f;
         for (int k = 0; k < NSpectrumSamples; ++k)
-            same &= std::abs(le.L[k] - s.L[k]) <= 1e-3f * s.L[k];
+            same &= std::abs(Le[k] - s.L[k]) <= 1e-3f * s.L[k];
         agree += same;
     });
     // Rounding moves points at a texel's border into its neighbour.
@@ -113,7 +113,7 @@ TYPED_TEST(EveryLight, InfiniteOnesHaveADensity) {
         for (int y = 0; y < n; ++y)
             for (int x = 0; x < n; ++x) {
                 const Point2f u{(float(x) + rng.Uniform()) / n, (float(y) + rng.Uniform()) / n};
-                sum += double(Le(c.light, SampleUniformSphere(u), kLambda).pdf);
+                sum += double(PDF_Li(c.light, SampleUniformSphere(u)));
             }
         EXPECT_NEAR(sum * 4 * double(Pi) / (n * n), L::kTraits.neverSampled ? 0 : 1, 5e-3)
             << c.text;
@@ -130,7 +130,7 @@ double MeasuredPower(const LightCase &c) {
         const SampledWavelengths lambda = Wavelengths(rng);
         const Vector3f w = Direction(rng);
         if (infinite) {
-            sum += 4 * double(Pi) * Luminance(Le(c.light, w, lambda).L, lambda);
+            sum += 4 * double(Pi) * Luminance(Le(c.light, Ray{{}, w}, lambda), lambda);
             continue;
         }
         // Through a sphere about all that is bounded; what is not, at the scene's middle.

@@ -147,11 +147,13 @@ TEST(LightPacket, SixteenRaysLeaveAsEachAlone) {
             LightLePacket le;
             Le(lights[k], d, lambda, active, &le);
             ForEachLane(active, [&](int i) {
-                const LightLe one = Le(lights[k], Lane(d, i), wavelengths[size_t(i)]);
+                const SampledSpectrum L =
+                    Le(lights[k], Ray{{}, Lane(d, i)}, wavelengths[size_t(i)]);
+                const float pdf = PDF_Li(lights[k], Lane(d, i));
                 ++all;
-                bool equal = std::abs(le.pdf[i] - one.pdf) <= 1e-5f * one.pdf;
+                bool equal = std::abs(le.pdf[i] - pdf) <= 1e-5f * pdf;
                 for (int s = 0; s < NSpectrumSamples; ++s)
-                    equal &= std::abs(le.L[size_t(i)][s] - one.L[s]) <= 1e-5f * one.L[s];
+                    equal &= std::abs(le.L[size_t(i)][s] - L[s]) <= 1e-5f * L[s];
                 same += equal;
             });
         }

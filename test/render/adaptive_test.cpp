@@ -36,16 +36,16 @@ struct Adapted {
 
 Adapted RenderTo(const std::string &text, float targetError, int seed, int nThreads = 0) {
     Diagnostics log;
-    SceneDescription scene;
-    scene.options.seed = seed;
-    ParseString(text, "test.pbrt", ".", scene, log);
+    SceneDescription description;
+    description.options.seed = seed;
+    ParseString(text, "test.pbrt", ".", description, log);
     Overrides overrides;
     overrides.targetError = targetError;
-    const auto world = BuildScene(scene, overrides, log);
-    EXPECT_TRUE(world);
-    if (!world) return {};
-    const auto stats = Render(*world, nThreads, [](int64_t, int64_t) { return true; });
-    return {world->film.ToImage(), double(stats->cameraSamples) / (48 * 48)};
+    const auto task = MakeRenderTask(description, overrides, log);
+    EXPECT_TRUE(task);
+    if (!task) return {};
+    test::Rendered r = test::RenderAll(*task, nThreads);
+    return {std::move(r.image), r.stats.samplesPerPixel};
 }
 
 /// As RelativeSquaredError means it, of a picture against a much better one.
@@ -83,7 +83,7 @@ TEST(RelativeSquaredError, IsThatOfTheMeanForIndependentSamples) {
     const auto add = [&](std::vector<Film::Pixel> *pixels) {
         for (Film::Pixel &pixel : *pixels)
             for (int k = 0; k < 16; ++k) {
-                for (double &c : pixel.rgb)
+                for (ExactSum &c : pixel.rgb)
                     c += 1 + 2 * rng.Uniform();
                 pixel.weight += 1;
             }

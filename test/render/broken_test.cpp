@@ -1,6 +1,6 @@
 // Mistakes that only plug-ins can see: every scene of broken/ says exactly what is expected.
 
-#include "pbrt/build/build_scene.h"
+#include "pbrt/render/render.h"
 #include "support/corpus.h"
 
 namespace pbrt {
@@ -14,7 +14,7 @@ TEST_P(BrokenPlugin, SaysWhatIsExpected) {
     ExpectMessages(kFolder, GetParam(), [](const std::string &file, Diagnostics &log) {
         SceneDescription scene;
         ParseFiles({file}, scene, log);
-        EXPECT_EQ(BuildScene(scene, {}, log), nullptr);
+        EXPECT_FALSE(MakeRenderTask(scene, {}, log));
     });
 }
 

@@ -99,18 +99,18 @@ TEST(SpectralFilm, BucketsAddUpToTheRGBFilm) {
 }
 
 TEST(SpectralFilm, EndedWavelengthsLeaveTheirWeightToTheOneThatIsLeft) {
-    const SpectralBuckets buckets = [] {
+    const SpectralFilm buckets = [] {
         Diagnostics log;
         ParamDict params(ParsedParameters{}, {}, "film", &RGBColorSpace::sRGB(), &log);
-        return SpectralBuckets::Create(params);
+        return SpectralFilm::Create(params);
     }();
-    SpectralBuckets::Sums sums = buckets.NewSums();
+    SpectralFilm::Sums sums = buckets.NewSums();
     // Every bucket sees all wavelengths of some paths, and 1 or 2 as the one of others.
     constexpr int kPaths = 16000;
     for (int i = 0; i < kPaths; ++i) {
         SampledWavelengths lambda = buckets.SampleWavelengths((float(i) + 0.5f) / kPaths);
         if (i % 2) lambda.TerminateSecondary();
-        buckets.Add(&sums, SampledSpectrum(i % 2 ? 2.f : 1.f), lambda, 1);
+        buckets.Add(&sums, {{}, SampledSpectrum(i % 2 ? 2.f : 1.f), lambda, 1, nullptr, {}});
     }
     std::vector<float> values(16);
     buckets.Write(sums, values.data());
@@ -119,7 +119,7 @@ TEST(SpectralFilm, EndedWavelengthsLeaveTheirWeightToTheOneThatIsLeft) {
         EXPECT_NEAR(v, 1.5, 2e-3);
 }
 
-std::string GBufferFilm(const std::string &space) {
+std::string GBuffer(const std::string &space) {
     return "\"gbuffer\" \"string coordinatesystem\" \"" + space + "\"";
 }
 
@@ -140,7 +140,7 @@ std::string Slope() {
 
 TEST(GBufferFilm, HoldsPositionsAndNormals) {
     for (const char *space : {"camera", "world"}) {
-        const Image image = RenderText(Scene(GBufferFilm(space), Slope(), 256));
+        const Image image = RenderText(Scene(GBuffer(space), Slope(), 256));
         const float z = space == std::string("camera") ? 7 : 2;
         for (const Point2i &p : {Point2i{2, 3}, Point2i{8, 8}, Point2i{14, 9}}) {
             // Means over the pixel, whose filter is symmetric; noise of 256 samples.
@@ -168,7 +168,7 @@ TEST(GBufferFilm, HoldsPositionsAndNormals) {
 TEST(GBufferFilm, SlopesAreThoseOfNeighbours) {
     for (const std::string mirror : {"", "Scale -1 1 1\n", "Scale 1 -1 1\n"}) {
         const Image image =
-            RenderText(mirror + Scene(GBufferFilm("camera"),
+            RenderText(mirror + Scene(GBuffer("camera"),
                                       Surroundings("\"spectrum L\" [ 300 1 900 1 ]") +
                                           "Translate 0 0 2 Rotate 30 1 0 0 Rotate 20 0 1 0\n"
                                           "Shape \"disk\" \"float radius\" 9\n",
@@ -184,7 +184,7 @@ TEST(GBufferFilm, SlopesAreThoseOfNeighbours) {
 }
 
 TEST(GBufferFilm, HoldsAlbedoAndVariance) {
-    const Image image = RenderText(Scene(GBufferFilm("camera"), Slope(), 256));
+    const Image image = RenderText(Scene(GBuffer("camera"), Slope(), 256));
     for (int c = 0; c < 3; ++c) {
         const std::string rgb(1, "RGB"[c]);
         // Colour noise of 256 samples of four wavelengths.
@@ -201,7 +201,7 @@ TEST(GBufferFilm, HoldsAlbedoAndVariance) {
 TEST(GBufferFilm, VarianceTellsTheErrorOfThePicture) {
     // Variance of the pixels' means over seeds is that of the samples over their number, with
     // independent ones and equal weights.
-    std::string text = Scene(GBufferFilm("camera"), Slope(), 16);
+    std::string text = Scene(GBuffer("camera"), Slope(), 16);
     text.replace(text.find("zsobol"), 6, "independent");
     text.insert(text.find("WorldBegin"), "PixelFilter \"box\"\n");
     const Image a = RenderText(text), b = RenderText(text, {.seed = 1});
@@ -216,15 +216,14 @@ TEST(GBufferFilm, VarianceTellsTheErrorOfThePicture) {
 }
 
 TEST(GBufferFilm, NothingSeenIsNought) {
-    const Image image =
-        RenderText(Scene(GBufferFilm("world"), Surroundings("\"rgb L\" [ 1 1 1 ]"), 4));
+    const Image image = RenderText(Scene(GBuffer("world"), Surroundings("\"rgb L\" [ 1 1 1 ]"), 4));
     for (const char *channel : {"P.X", "P.Z", "N.X", "Ns.Z", "Albedo.G", "u", "dzdx"})
         EXPECT_EQ(At(image, channel), 0) << channel;
 }
 
 TEST(Films, SameBitsForAnyNumberOfThreads) {
     for (const std::string &film :
-         {Spectral(11, 380, 780), GBufferFilm("camera"), std::string("\"rgb\"")}) {
+         {Spectral(11, 380, 780), GBuffer("camera"), std::string("\"rgb\"")}) {
         const Image one = RenderText(Scene(film, Slope(), 4), {.nThreads = 1}),
                     two = RenderText(Scene(film, Slope(), 4), {.nThreads = 2});
         EXPECT_EQ(one.Data(), two.Data()) << film;
@@ -233,7 +232,7 @@ TEST(Films, SameBitsForAnyNumberOfThreads) {
 
 TEST(Films, GBufferDoesNotChangeThePicture) {
     const Image rgb = RenderText(Scene("\"rgb\"", Slope(), 4)),
-                more = RenderText(Scene(GBufferFilm("camera"), Slope(), 4));
+                more = RenderText(Scene(GBuffer("camera"), Slope(), 4));
     for (int y = 0; y < 16; ++y)
         for (int x = 0; x < 16; ++x)
             for (int c = 0; c < 3; ++c)

@@ -65,17 +65,17 @@ TEST(Render, DispersionKeepsTheMean) {
         EXPECT_NEAR(ended[c] / whole[c], 1, 0.01) << c;
 }
 
-TEST(Film, TerminatedWavelengthsDoNotCount) {
+TEST(Sensor, TerminatedWavelengthsDoNotCount) {
     Diagnostics log;
-    SceneDescription scene;
-    Film film = Film::Create(scene, {}, log);
+    ParamDict params(ParsedParameters{}, {}, "film", &RGBColorSpace::sRGB(), &log);
+    const Sensor sensor = Sensor::Create(params, RGBColorSpace::sRGB());
     SampledWavelengths lambda = SampledWavelengths::SampleVisible(0.3f);
     const SampledSpectrum one(1.f);
     lambda.TerminateSecondary();
     SampledSpectrum garbage = one;
     for (int i = 1; i < NSpectrumSamples; ++i)
         garbage.Set(i, 1e9f * float(i));
-    const RGB clean = film.ToSensorRGB(one, lambda), dirty = film.ToSensorRGB(garbage, lambda);
+    const RGB clean = sensor.Response(one, lambda), dirty = sensor.Response(garbage, lambda);
     EXPECT_EQ(clean, dirty);
     // The one wavelength that is left counts as if it had been drawn alone.
     double sum = 0;
@@ -83,7 +83,7 @@ TEST(Film, TerminatedWavelengthsDoNotCount) {
     for (int i = 0; i < kSteps; ++i) {
         SampledWavelengths l = SampledWavelengths::SampleVisible((i + 0.5f) / kSteps);
         l.TerminateSecondary();
-        sum += RGBColorSpace::sRGB().ToXYZ(film.ToSensorRGB(garbage, l)).Y / kSteps;
+        sum += RGBColorSpace::sRGB().ToXYZ(sensor.Response(garbage, l)).Y / kSteps;
     }
     EXPECT_NEAR(sum, CIE_Y_integral, 0.2);
 }

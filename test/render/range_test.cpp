@@ -19,11 +19,11 @@ std::string Scene(const std::string &world, const std::string &camera =
 /// The first error of a scene; empty where there is none.
 std::string Refusal(const std::string &text) {
     Diagnostics log;
-    SceneDescription scene;
-    ParseString(text, "test.pbrt", ".", scene, log);
+    SceneDescription description;
+    ParseString(text, "test.pbrt", ".", description, log);
     EXPECT_FALSE(log.HasErrors()) << text;
-    const auto world = BuildScene(scene, {}, log);
-    EXPECT_EQ(world == nullptr, log.HasErrors());
+    const auto task = MakeRenderTask(description, {}, log);
+    EXPECT_EQ(!task, log.HasErrors());
     for (const Message &m : log.Messages())
         if (m.severity == Severity::Error) return m.text;
     return "";

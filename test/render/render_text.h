@@ -4,7 +4,6 @@
 
 #include <string>
 
-#include "pbrt/build/build_scene.h"
 #include "pbrt/render/render.h"
 
 namespace pbrt::test {
@@ -14,25 +13,41 @@ struct RenderChanges {
     int nThreads = 0;
     int seed = 0;
     std::optional<int> spp = std::nullopt;
-    LightStrategy strategy = LightStrategy::Both;
+    LightStrategy strategy = LightStrategy::Both;  ///< of the path integrator
 };
+
+inline bool GoOn(int64_t, int64_t) {
+    return true;
+}
+
+struct Rendered {
+    Image image;
+    RenderStats stats;
+};
+inline Rendered RenderAll(const RenderTask &task, int nThreads = 0) {
+    Rendered r;
+    const auto stats = Render(task, nThreads, GoOn, &r.image);
+    EXPECT_TRUE(stats);
+    if (stats) r.stats = *stats;
+    return r;
+}
 
 /// Renders scene text; relative files start from the folder `dir`. Mistakes in it fail the test.
 inline Image RenderText(const std::string &text, const RenderChanges &changes = {},
                         const std::string &dir = ".") {
     Diagnostics log;
-    SceneDescription scene;
-    scene.options.seed = changes.seed;
-    ParseString(text, "test.pbrt", dir, scene, log);
+    SceneDescription description;
+    description.options.seed = changes.seed;
+    ParseString(text, "test.pbrt", dir, description, log);
     Overrides overrides;
     overrides.spp = changes.spp;
-    const std::unique_ptr<RenderScene> world = BuildScene(scene, overrides, log);
+    std::optional<RenderTask> task = MakeRenderTask(description, overrides, log);
     for (const Message &m : log.Messages())
         if (m.severity == Severity::Error) ADD_FAILURE() << m.text;
-    if (!world) return {};
-    world->path.strategy = changes.strategy;
-    EXPECT_TRUE(Render(*world, changes.nThreads, [](int64_t, int64_t) { return true; }));
-    return world->film.ToImage();
+    if (!task) return {};
+    if (auto *const path = std::get_if<PathIntegrator>(&task->integrator))
+        path->strategy = changes.strategy;
+    return RenderAll(*task, changes.nThreads).image;
 }
 
 inline std::array<double, 3> Mean(const Image &image) {

@@ -39,18 +39,17 @@ TEST_P(Scenes, LookLikeTheirReference) {
     const Image reference = *ReadImage(folder + "reference.exr").value;
     const Image variance = *ReadImage(folder + "reference-variance.exr").value;
     Diagnostics log;
-    SceneDescription scene;
-    scene.options.seed = kSeed;
-    ParseFiles({folder + GetParam() + ".pbrt"}, scene, log);
+    SceneDescription description;
+    description.options.seed = kSeed;
+    ParseFiles({folder + GetParam() + ".pbrt"}, description, log);
     Overrides overrides;
     overrides.spp = kSpp;
     overrides.film.quick = true;
-    const std::unique_ptr<RenderScene> world = BuildScene(scene, overrides, log);
+    const std::optional<RenderTask> task = MakeRenderTask(description, overrides, log);
     for (const Message &m : log.Messages())
         ADD_FAILURE() << m.text;
-    ASSERT_TRUE(world);
-    ASSERT_TRUE(Render(*world, 0, [](int64_t, int64_t) { return true; }));
-    const Image image = world->film.ToImage();
+    ASSERT_TRUE(task);
+    const Image image = test::RenderAll(*task).image;
     ASSERT_EQ(image.Resolution(), reference.Resolution());
     const double runs = double(*reference.metadata.samplesPerPixel) / kSpp;
     const imgtool::TileScores z =

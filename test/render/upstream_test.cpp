@@ -41,7 +41,7 @@ TEST(Upstream, NamesAreToldToBeNotBuiltHere) {
         SceneDescription description;
         ParseString(fmt::format(fmt::runtime(scene->second), plugIn), "test.pbrt", ".", description,
                     log);
-        EXPECT_EQ(BuildScene(description, {}, log), nullptr);
+        EXPECT_FALSE(MakeRenderTask(description, {}, log));
         std::string said;
         for (const Message &m : log.Messages())
             said += m.text + '\n';

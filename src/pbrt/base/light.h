@@ -52,15 +52,10 @@ struct LightLiSamples {
     }
 };
 
-/// What an infinite light gives along one direction.
-struct LightLe {
-    SampledSpectrum L;
-    float pdf;  ///< PDF_Li there
-};
-/// Sixteen of LightLe.
+/// What an infinite light gives along sixteen directions.
 struct LightLePacket {
     std::array<SampledSpectrum, kPacketSize> L;
-    FloatX16 pdf;
+    FloatX16 pdf;  ///< PDF_Li there
 };
 
 /// Cone of directions about a unit axis; cosTheta 1: the axis alone, -1: all directions.
@@ -151,9 +146,9 @@ concept BasicLight = std::copyable<L> && requires(const L l, const LightSampleCo
 ///       density of SampleLi per unit solid angle for the direction from ref that meets the light's
 ///       primitive at p, where its normal is n.
 template <typename T>
-concept AreaLightType = requires(const T l, Point3f p, Normal3f n, Vector3f w,
+concept AreaLightType = requires(const T l, Point3f p, Normal3f n, Point2f uv, Vector3f w,
                                  const SampledWavelengths &lambda) {
-    { l.L(n, w, lambda) } -> std::same_as<SampledSpectrum>;
+    { l.L(p, n, uv, w, lambda) } -> std::same_as<SampledSpectrum>;
     { l.PDF_Hit(p, p, n) } -> std::same_as<float>;
 };
 

@@ -15,31 +15,8 @@ ParamDict Params(const Entity &entity, std::string_view kind, std::string_view t
                      entity.colorSpace, &log, description.dir);
 }
 
-constexpr std::array<std::string_view, 2> kIntegrators{"volpath", "path"};
 constexpr std::array<std::string_view, 1> kAccelerators{"bvh"};
 constexpr std::array<std::string_view, 4> kSplitMethods{"sah", "middle", "equal", "hlbvh"};
-
-struct IntegratorChoice {
-    PathSettings path;
-    std::string lightSampler = "bvh";
-};
-
-IntegratorChoice ReadIntegrator(const SceneDescription &description, Diagnostics &log) {
-    IntegratorChoice choice;
-    const std::string type =
-        description.integrator.type.empty() ? "volpath" : description.integrator.type;
-    ParamDict params = Params(description.integrator, "integrator", type, description, log);
-    if (std::find(kIntegrators.begin(), kIntegrators.end(), type) == kIntegrators.end()) {
-        params.Error(UnknownName("integrator", type, kIntegrators));
-        return choice;
-    }
-    choice.path.maxDepth = params.GetOneInt("maxdepth", 5, 0, 1 << 20);
-    choice.path.regularize = params.GetOneBool("regularize", false);
-    const int which = params.GetOneChoice("lightsampler", "bvh", kLightSamplerNames);
-    choice.lightSampler = kLightSamplerNames[which];
-    params.ReportUnused();
-    return choice;
-}
 
 /// The ray tracer chooses for itself: pbrt's hints are checked and have no effect.
 void ReadAccelerator(const SceneDescription &description, Diagnostics &log) {
@@ -55,7 +32,7 @@ void ReadAccelerator(const SceneDescription &description, Diagnostics &log) {
     params.ReportUnused();
 }
 
-void ReadSampling(const SceneDescription &description, const Overrides &overrides,
+void ReadSampling(const SceneDescription &description, const SceneOverrides &overrides,
                   RenderScene &scene, Diagnostics &log) {
     const std::string filterType =
         description.filter.type.empty() ? "gaussian" : description.filter.type;
@@ -69,7 +46,6 @@ void ReadSampling(const SceneDescription &description, const Overrides &override
     if (const auto sampler =
             CreateSampler(params, type, spp, description.options.seed, scene.film.FullResolution()))
         scene.sampler = *sampler;
-    scene.targetError = overrides.targetError;
 }
 
 /// Two triangles that make a parallelogram, as one patch: one light is chosen and sampled better
@@ -80,8 +56,8 @@ std::optional<BilinearMesh> MergedEmitter(const Geometry &geometry, ParamDict &p
     return AsParallelogram(*mesh);
 }
 
-void BuildLights(const SceneDescription &description, const std::string &lightSampler,
-                 const std::vector<EmissiveShape> &emitters, RenderScene &scene, Diagnostics &log) {
+void BuildLights(const SceneDescription &description, const std::vector<EmissiveShape> &emitters,
+                 RenderScene &scene, Diagnostics &log) {
     const Transform &renderFromWorld = scene.camera.RenderFromWorld();
     for (const LightEntity &entity : description.lights) {
         ParamDict params = Params(entity, "light", entity.type, description, log);
@@ -109,15 +85,12 @@ void BuildLights(const SceneDescription &description, const std::string &lightSa
         Preprocess(scene.lights[i], bounds);
         if (Traits(scene.lights[i]).isInfinite) scene.infiniteLights.push_back(int(i));
     }
-    scene.lightSampler = LightSampler::Create(lightSampler, scene.lights);
-    if (scene.lights.empty() && !log.HasErrors())
-        log.Warning({}, "no light sources in the scene: the picture is black");
 }
 
 }  // namespace
 
-std::unique_ptr<RenderScene> BuildScene(SceneDescription &description, const Overrides &overrides,
-                                        Diagnostics &log) {
+std::unique_ptr<RenderScene> BuildScene(SceneDescription &description,
+                                        const SceneOverrides &overrides, Diagnostics &log) {
     auto scene = std::make_unique<RenderScene>();
     scene->options = description.options;
     scene->film = Film::Create(description, overrides.film, log);
@@ -126,8 +99,6 @@ std::unique_ptr<RenderScene> BuildScene(SceneDescription &description, const Ove
                           scene->camera.RenderFromWorld().Inverse());
     scene->film.SetExposure(scene->camera.ShutterClose() - scene->camera.ShutterOpen());
     ReadSampling(description, overrides, *scene, log);
-    const IntegratorChoice integrator = ReadIntegrator(description, log);
-    scene->path = integrator.path;
     ReadAccelerator(description, log);
 
     const NamedTextures textures = BuildTextures(description, scene->camera.RenderFromWorld(), log);
@@ -146,7 +117,7 @@ std::unique_ptr<RenderScene> BuildScene(SceneDescription &description, const Ove
         log.Error({}, scene->accel->Error());
         return nullptr;
     }
-    BuildLights(description, integrator.lightSampler, shapes.emitters, *scene, log);
+    BuildLights(description, shapes.emitters, *scene, log);
     CheckRaysInInstances(*scene, shapes.instances, log);
     if (log.HasErrors()) return nullptr;
     return scene;

@@ -7,17 +7,16 @@
 namespace pbrt {
 
 /// What the command line overrides of a scene.
-struct Overrides {
+struct SceneOverrides {
     FilmOverrides film;
     std::optional<int> spp;
-    float targetError = 0;  ///< RenderScene's
-    int nThreads = 0;       ///< for building the acceleration structure; 0: all cores
+    int nThreads = 0;  ///< for building the acceleration structure; 0: all cores
 };
 
 /// Makes everything the description names. Mistakes go to the log; where there are any, nullptr is
 /// returned (after as many as possible have been found). The description is left without shapes and
 /// unnamed materials, which are let go as they are built.
-std::unique_ptr<RenderScene> BuildScene(SceneDescription &description, const Overrides &overrides,
-                                        Diagnostics &log);
+std::unique_ptr<RenderScene> BuildScene(SceneDescription &description,
+                                        const SceneOverrides &overrides, Diagnostics &log);
 
 }  // namespace pbrt

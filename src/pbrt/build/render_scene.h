@@ -8,23 +8,12 @@
 #include "pbrt/cameras/camera.h"
 #include "pbrt/films/film.h"
 #include "pbrt/filters/filters.h"
-#include "pbrt/lights/light_sampler.h"
 #include "pbrt/lights/lights.h"
 #include "pbrt/materials/material.h"
 #include "pbrt/materials/mix.h"
 #include "pbrt/samplers/samplers.h"
 
 namespace pbrt {
-
-/// Which of the two ways to find light a path uses. Both together is what renders; one alone is for
-/// tests and measurements: all three have the same mean (but for lights that one cannot find).
-enum class LightStrategy { Both, LightsOnly, BSDFOnly };
-
-struct PathSettings {
-    int maxDepth = 5;
-    bool regularize = false;
-    LightStrategy strategy = LightStrategy::Both;
-};
 
 /// Everything a render reads, ready and immutable. Made by BuildScene. Moving a RenderScene keeps
 /// its inner pointers valid; it cannot be copied.
@@ -37,15 +26,12 @@ struct RenderScene {
     std::vector<Light> lights;
     std::deque<Shape> emitterShapes;  ///< of lights whose form is not a geometry's
     std::vector<int> infiniteLights;  ///< indices into lights
-    LightSampler lightSampler;
     std::optional<Accel> accel;
 
     Camera camera;
     Film film;
     Filter filter;
     Sampler sampler;
-    PathSettings path;
-    float targetError = 0;  ///< see RenderToError; 0: all samples everywhere
     Options options;
     bool filtersTextures = false;  ///< some texture reads the steps per pixel
     bool isAnimated = false;       ///< time matters

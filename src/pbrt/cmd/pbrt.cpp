@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <functional>
 
-#include "pbrt/build/build_scene.h"
 #include "pbrt/cli/interrupts.h"
 #include "pbrt/cli/main.h"
 #include "pbrt/cli/options.h"
@@ -137,23 +136,20 @@ struct Times {
 };
 
 /// Rendering time and camera go into the picture's metadata, as pbrt writes them.
-Image Finished(const RenderScene &world, const RenderStats &stats) {
-    Image image = world.film.ToImage();
-    image.metadata.renderTimeSeconds = float(stats.seconds);
-    // The mean where --target-error stops tiles.
-    image.metadata.samplesPerPixel = int(stats.cameraSamples / world.film.Bounds().Area());
-    image.metadata.cameraFromWorld = world.camera.CameraFromWorld().Matrix();
-    image.metadata.ndcFromWorld = world.camera.NDCFromWorld().Matrix();
-    return image;
+void AddMetadata(const RenderScene &scene, const RenderStats &stats, ImageMetadata *metadata) {
+    metadata->renderTimeSeconds = float(stats.seconds);
+    metadata->samplesPerPixel = int(stats.samplesPerPixel);
+    metadata->cameraFromWorld = scene.camera.CameraFromWorld().Matrix();
+    metadata->ndcFromWorld = scene.camera.NDCFromWorld().Matrix();
 }
 
-void PrintRemarks(const RenderScene &world) {
-    const auto print = [](const std::string &remarks) {
-        if (!remarks.empty()) Say(fmt::format("Warning: {}\n", remarks));
+void PrintWarnings(const RenderScene &scene) {
+    const auto print = [](const std::string &text) {
+        if (!text.empty()) Say(fmt::format("Warning: {}\n", text));
     };
-    for (const Material &m : world.materials)
+    for (const Material &m : scene.materials)
         print(Warnings(m));
-    for (const MixMaterial &m : world.mixes)
+    for (const MixMaterial &m : scene.mixes)
         print(m.Warnings());
 }
 
@@ -171,42 +167,44 @@ int Stopped(const cli::Interrupts::Caught &by) {
 }
 
 /// Reports what is wrong with the files that the error is to be told by.
-std::optional<MseLog> OpenMseLog(const RenderScene &world, Diagnostics &log) {
-    std::optional<MseLog> mse = MseLog::Create(world.options, world.film, log);
-    if (mse && world.targetError > 0)
+std::optional<MseLog> OpenMseLog(const RenderTask &task, Diagnostics &log) {
+    std::optional<MseLog> mse = MseLog::Create(task.scene->options, task.scene->film, log);
+    if (mse && task.targetError > 0)
         log.Error({},
                   "--target-error gives no pixel the same number of samples: leave it out, or "
                   "\"msereferenceimage\"");
     return mse;
 }
 
-int RenderAndWrite(RenderScene &world, const Arguments &a, const Times &times,
+int RenderAndWrite(const RenderTask &task, const Arguments &a, const Times &times,
                    std::optional<MseLog> &mse) {
-    for (const std::string &file : {world.film.FileName(), a.statsFile})
+    const RenderScene &scene = *task.scene;
+    for (const std::string &file : {scene.film.FileName(), a.statsFile})
         if (const auto why = file.empty() ? std::nullopt : WhyNotWritable(file))
             return Complain(*why);
     const cli::Interrupts interrupts;
     Progress progress("Rendering", a.quiet);
-    std::function<void(int)> afterWave;
-    if (mse) afterWave = [&](int samples) { mse->Add(world.film, samples); };
+    Image image;
+    std::function<void(int)> afterPass;
+    if (mse) afterPass = [&](int samples) { mse->Add(image, samples); };
     const auto stats = Render(
-        world, a.overrides.nThreads,
+        task, a.overrides.nThreads,
         [&](int64_t done, int64_t total) {
             progress.Update(done, total);
             return !interrupts.First();
         },
-        afterWave);
+        &image, afterPass);
     progress.Finish(stats ? "done" : "stopped");
     if (!stats) return Stopped(*interrupts.First());
-    if (!a.quiet) PrintRemarks(world);
-    Image image = Finished(world, *stats);
+    if (!a.quiet) PrintWarnings(scene);
+    AddMetadata(scene, *stats, &image.metadata);
     if (mse) image.metadata.mse = float(mse->Error());
-    if (const auto why = WriteImageSomewhere(image, world.film.FileName(), world.film.Format())) {
+    if (const auto why = WriteImageSomewhere(image, scene.film.FileName(), scene.film.Format())) {
         const int failed = Complain(*why);
         return interrupts.First() ? interrupts.First()->exitCode : failed;
     }
     if (mse && mse->Problem()) return Complain(*mse->Problem());
-    return Report(CollectStatistics(world, *stats, times.parse, times.build), a);
+    return Report(CollectStatistics(scene, *stats, times.parse, times.build), a);
 }
 
 int Main(cli::Args words) {
@@ -219,23 +217,23 @@ int Main(cli::Args words) {
     Times times;
     Diagnostics log;
     if (threads.remark) log.Warning({}, *threads.remark);
-    SceneDescription scene;
-    scene.options = a.options;
+    SceneDescription description;
+    description.options = a.options;
     auto start = std::chrono::steady_clock::now();
-    ParseFiles(a.files, scene, log);
+    ParseFiles(a.files, description, log);
     times.parse = Seconds(start);
     start = std::chrono::steady_clock::now();
-    const std::unique_ptr<RenderScene> world = BuildScene(scene, a.overrides, log);
+    const std::optional<RenderTask> task = MakeRenderTask(description, a.overrides, log);
     times.build = Seconds(start);
     std::optional<MseLog> mse;
-    if (world) mse = OpenMseLog(*world, log);
+    if (task) mse = OpenMseLog(*task, log);
     Print(log, a.quiet);
-    if (!world || log.HasErrors()) {
+    if (!task || log.HasErrors()) {
         Say(fmt::format("{} error{}; no picture was written.\n", log.ErrorCount(),
                         log.ErrorCount() == 1 ? "" : "s"));
         return kUserError;
     }
-    return RenderAndWrite(*world, a, times, mse);
+    return RenderAndWrite(*task, a, times, mse);
 }
 
 }  // namespace

@@ -9,15 +9,6 @@
 namespace pbrt {
 namespace {
 
-constexpr std::string_view kRGB = "rgb";
-constexpr std::array<std::string_view, 3> kFilms{kRGB, GBuffer::kName, SpectralBuckets::kName};
-constexpr std::array<std::string_view, 1> kSensors{"cie1931"};
-constexpr FloatParam kIso{"iso", "", 100, 1e-6f, 1e9f, "sensor speed"};
-constexpr FloatParam kMaxComponent{"maxcomponentvalue",        "", Infinity, 0, Infinity,
-                                   "largest value of a sample"};
-constexpr FloatParam kWhiteBalance{"whitebalance", "K", 0, 0, 25000, "0: none"};
-constexpr FloatParam kDiagonal{"diagonal", "mm", 35, 1e-6f, 1e6f, "of the film"};
-
 PixelBounds Crop(Point2i full, const std::array<float, 4> &c) {
     const auto edge = [](float f, int n) {
         return int(std::ceil(std::clamp(f, 0.f, 1.f) * float(n)));
@@ -54,7 +45,7 @@ PixelBounds ReadBounds(ParamDict &params, const FilmOverrides &overrides, Point2
     return bounds;
 }
 
-std::string ReadFileName(ParamDict &params, const FilmOverrides &overrides, bool manyChannels) {
+std::string ReadFileName(ParamDict &params, const FilmOverrides &overrides, bool exrOnly) {
     const std::string written = params.GetOneString("filename", "pbrt.exr");
     const bool overridden = !overrides.outfile.empty();
     const std::string &name = overridden ? overrides.outfile : written;
@@ -66,177 +57,97 @@ std::string ReadFileName(ParamDict &params, const FilmOverrides &overrides, bool
     };
     if (!CanWriteImage(name))
         refuse("the name must end in .exr, .png or .pfm");
-    else if (manyChannels && !name.ends_with(".exr"))
+    else if (exrOnly && !name.ends_with(".exr"))
         refuse(params.What() + " needs the many channels of .exr");
     return name;
-}
-
-/// Matching curves in the film's RGB over the number of wavelength samples. Not over the integral
-/// of y: lights are (PBRT_FORMAT 2.10), so that a light of 1 gives a pixel of 1.
-std::vector<std::array<float, 4>> Matching(const RGBColorSpace &space, float whiteBalance) {
-    Matrix3 adapt{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-    if (whiteBalance > 0) {
-        const std::array<double, 2> xy = DaylightChromaticity(whiteBalance);
-        adapt = WhiteBalance({float(xy[0]), float(xy[1])}, space.Chromaticities()[3]);
-    }
-    std::vector<std::array<float, 4>> table(int(LambdaMax - LambdaMin) + 1);
-    constexpr float scale = 1.f / NSpectrumSamples;
-    for (size_t i = 0; i < table.size(); ++i) {
-        const float lambda = LambdaMin + float(i);
-        const std::array<float, 3> xyz =
-            Mul(adapt, {spectra::X()(lambda), spectra::Y()(lambda), spectra::Z()(lambda)});
-        const std::array<float, 3> rgb = Mul(space.RGBFromXYZ(), xyz);
-        table[i] = {rgb[0] * scale, rgb[1] * scale, rgb[2] * scale, 0};
-    }
-    return table;
 }
 
 }  // namespace
 
 Film Film::Create(const SceneDescription &scene, const FilmOverrides &overrides, Diagnostics &log) {
-    const std::string type = scene.film.type.empty() ? std::string(kRGB) : scene.film.type;
-    ParamDict params(scene.film.params, scene.film.loc, fmt::format("film \"{}\"", type),
+    const std::string name =
+        scene.film.type.empty() ? std::string(RGBFilm::kName) : scene.film.type;
+    ParamDict params(scene.film.params, scene.film.loc, fmt::format("film \"{}\"", name),
                      scene.film.colorSpace, &log, scene.dir);
     Film film;
-    if (std::find(kFilms.begin(), kFilms.end(), type) == kFilms.end()) {
-        params.Error(UnknownName("film", type, kFilms));
-        return film;
-    }
     Point2i full{params.GetOneInt("xresolution", 1280, 1, kMaxResolution),
                  params.GetOneInt("yresolution", 720, 1, kMaxResolution)};
     if (overrides.quick) full = {std::max(1, full.x / 4), std::max(1, full.y / 4)};
     film.fullResolution = full;
     film.bounds = ReadBounds(params, overrides, full);
-    if (type == GBuffer::kName) film.aovs = GBuffer::Create(params);
-    if (type == SpectralBuckets::kName) film.aovs = SpectralBuckets::Create(params);
-    film.aovChannels = film.AOVNames();
-    film.fileName = ReadFileName(params, overrides, !film.aovChannels.empty());
+    const bool known = FilmTypes::Visit(name, [&]<typename F>() {
+        film.type = F::Create(params);
+        film.traits = F::kTraits;
+    });
+    if (!known) {
+        params.Error(UnknownName("film", name, FilmTypes::kNames));
+        return film;
+    }
+    film.fileName = ReadFileName(params, overrides, film.traits.exrOnly);
     film.colorSpace = scene.film.colorSpace;
-    film.iso = params.GetOneFloat(kIso);
-    film.maxComponentValue = params.GetOneFloat(kMaxComponent);
     film.format = params.GetOneBool("savefp16", true) ? ExrPixels::Half : ExrPixels::Float;
-    params.GetOneFloat(kDiagonal);  // concerns realistic cameras only
-    params.GetOneChoice("sensor", "cie1931", kSensors);
-    const float white = params.GetOneFloat(kWhiteBalance);
-    if (white != 0 && white < 4000)
-        params.Error("whitebalance", "\"whitebalance\" must be 0 or from 4000 to 25000 K");
-    film.matching = Matching(*film.colorSpace, white);
-    const Spectrum &illuminant = film.colorSpace->Illuminant();
-    film.illuminant = illuminant.Scaled(1 / SpectrumToPhotometric(illuminant));
+    film.sensor = Sensor::Create(params, *film.colorSpace);
     params.ReportUnused();
     const PixelBounds &b = film.bounds;
     if (const auto why = WhyTooLarge(film.BytesFor(b))) {
         params.Error(fmt::format("a film of {} x {} pixels with {} channels {}", b.Width(),
-                                 b.Height(), 3 + film.aovChannels.size(), *why));
+                                 b.Height(), film.ChannelNames().size(), *why));
         film.bounds = {0, 1, 0, 1};
     }
-    film.pixels.resize(size_t(film.bounds.Area()));
-    film.aovValues.resize(film.pixels.size() * film.aovChannels.size());
     return film;
 }
 
+void Film::SetSpaces(const Transform &camera, const Transform &world) {
+    Dispatch(type, [&](auto &t) { t.SetSpaces(camera, world); });
+}
+
 uint64_t Film::BytesFor(const PixelBounds &b) const {
-    const size_t channels = 3 + aovChannels.size();
-    const size_t sums = sizeof(Sum) + aovChannels.size() * sizeof(float);
-    // The picture, a copy in the file's type, the file.
-    return uint64_t(b.Area()) * (sums + channels * 3 * sizeof(float));
+    // The image, a copy in the file's type, the file.
+    return uint64_t(b.Area()) * ChannelNames().size() * 3 * sizeof(float);
 }
 
-SampledSpectrum::Lanes Film::Matched(SampledSpectrum L, const SampledWavelengths &lambda) const {
-    using Lanes = SampledSpectrum::Lanes;
-    const SampledSpectrum pdf = lambda.PDF();
-    Lanes sum{};
-    for (int i = 0; i < NSpectrumSamples; ++i) {
-        if (pdf[i] == 0) continue;
-        const float at = lambda[i] - LambdaMin;
-        const int k = std::min(int(at), int(LambdaMax - LambdaMin) - 1);
-        const float t = at - float(k);
-        const float *a = matching[k].data(), *b = matching[k + 1].data();
-        const Lanes va{a[0], a[1], a[2], a[3]}, vb{b[0], b[1], b[2], b[3]};
-        sum += (va + (vb - va) * t) * (L[i] / pdf[i]);
-    }
-    return sum;
-}
-
-RGB Film::ToSensorRGB(SampledSpectrum L, const SampledWavelengths &lambda) const {
-    SampledSpectrum::Lanes sum = Matched(L, lambda) * imagingRatio;
-    const float largest = std::max(sum[0], std::max(sum[1], sum[2]));
-    if (largest > maxComponentValue) sum *= maxComponentValue / largest;
-    return {sum[0], sum[1], sum[2]};
-}
-
-std::vector<std::string> Film::AOVNames() const {
-    if (const auto *g = std::get_if<GBuffer>(&aovs)) return g->ChannelNames();
-    if (const auto *s = std::get_if<SpectralBuckets>(&aovs)) return s->ChannelNames();
-    return {};
+std::vector<std::string> Film::ChannelNames() const {
+    std::vector<std::string> names{"R", "G", "B"};
+    for (std::string &name : Dispatch(type, [](const auto &t) { return t.ChannelNames(); }))
+        names.push_back(std::move(name));
+    return names;
 }
 
 Film::Pixel Film::NewPixel() const {
     Pixel pixel;
-    if (const auto *g = std::get_if<GBuffer>(&aovs)) pixel.aovs = g->NewSums();
-    if (const auto *s = std::get_if<SpectralBuckets>(&aovs)) pixel.aovs = s->NewSums();
+    Dispatch(type, [&](const auto &t) { pixel.more = t.NewSums(); });
     return pixel;
 }
 
-void Film::AddAOVs(Pixel *pixel, SampledSpectrum L, const RGB &rgb,
+void Film::AddMore(Pixel *pixel, SampledSpectrum L, const RGB &rgb,
                    const SampledWavelengths &lambda, float weight,
                    const VisibleSurface *surface) const {
-    if (auto *const sums = std::get_if<SpectralBuckets::Sums>(&pixel->aovs)) {
-        SampledSpectrum exposed = L * (imagingRatio * CIE_Y_integral);
-        const float largest = exposed.MaxComponentValue();
-        if (largest > maxComponentValue) exposed *= maxComponentValue / largest;
-        std::get<SpectralBuckets>(aovs).Add(sums, exposed, lambda, weight);
-    } else if (auto *const sums = std::get_if<GBuffer::Sums>(&pixel->aovs)) {
-        RGB albedo;
-        if (surface) {
-            const auto c = Matched(surface->albedo * illuminant.Sample(lambda), lambda);
-            albedo = {c[0], c[1], c[2]};
-        }
-        std::get<GBuffer>(aovs).Add(sums, rgb, weight, surface, albedo);
-    }
+    FilmSample sample{rgb, {}, lambda, weight, surface, {}};
+    if (traits.spectral) sample.exposed = sensor.Exposed(L);
+    if (surface) sample.albedo = sensor.ColorOf(surface->albedo, lambda);
+    Dispatch(type, [&]<typename F>(const F &t) {
+        t.Add(std::get_if<typename F::Sums>(&pixel->more), sample);
+    });
 }
 
-void Film::Store(Point2i p, const Pixel &pixel) {
-    Sum &sum = pixels[Index(p)];
-    std::copy(std::begin(pixel.rgb), std::end(pixel.rgb), sum.rgb);
-    sum.weight = pixel.weight;
-    float *const values = aovValues.data() + Index(p) * aovChannels.size();
-    if (const auto *sums = std::get_if<SpectralBuckets::Sums>(&pixel.aovs))
-        std::get<SpectralBuckets>(aovs).Write(*sums, values);
-    else if (const auto *sums = std::get_if<GBuffer::Sums>(&pixel.aovs))
-        std::get<GBuffer>(aovs).Write(*sums, values);
-}
-
-RGB Film::PixelRGB(Point2i p) const {
-    const Sum &pixel = pixels[Index(p)];
-    if (pixel.weight == 0) return {};
-    return {float(pixel.rgb[0] / pixel.weight), float(pixel.rgb[1] / pixel.weight),
-            float(pixel.rgb[2] / pixel.weight)};
-}
-
-Image Film::ToImage() const {
-    std::vector<std::string> channels{"R", "G", "B"};
-    channels.insert(channels.end(), aovChannels.begin(), aovChannels.end());
-    const int n = int(aovChannels.size());
-    Image image({bounds.Width(), bounds.Height()}, std::move(channels));
-    for (int y = bounds.y0; y < bounds.y1; ++y)
-        for (int x = bounds.x0; x < bounds.x1; ++x) {
-            const Point2i at{x - bounds.x0, y - bounds.y0};
-            const RGB rgb = PixelRGB({x, y});
-            for (int c = 0; c < 3; ++c)
-                image.Set(at, c, rgb[c]);
-            const float *const values = aovValues.data() + Index({x, y}) * size_t(n);
-            for (int c = 0; c < n; ++c)
-                image.Set(at, 3 + c, values[c]);
-        }
+Image Film::NewImage() const {
+    Image image({bounds.Width(), bounds.Height()}, ChannelNames());
     image.metadata.pixelBounds = {bounds.x0, bounds.x1, bounds.y0, bounds.y1};
     image.metadata.fullResolution = fullResolution;
     if (colorSpace != &RGBColorSpace::sRGB())
         image.metadata.chromaticities = colorSpace->Chromaticities();
-    if (std::holds_alternative<SpectralBuckets>(aovs))
-        image.metadata.strings = {{"spectralLayoutVersion", "1.0"},
-                                  {"emissiveUnits", "W.m^-2.sr^-1"}};
+    Dispatch(type, [&](const auto &t) { t.WriteMetadata(&image.metadata.strings); });
     return image;
+}
+
+void Film::Develop(Point2i p, const Pixel &pixel, Image *image) const {
+    float *const channels = image->Pixel({p.x - bounds.x0, p.y - bounds.y0});
+    const double weight = pixel.Weight();
+    for (int c = 0; c < 3; ++c)
+        channels[c] = weight == 0 ? 0 : float(pixel.Mean(c));
+    Dispatch(type, [&]<typename F>(const F &t) {
+        t.Write(*std::get_if<typename F::Sums>(&pixel.more), channels + 3);
+    });
 }
 
 }  // namespace pbrt

@@ -2,19 +2,26 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
+#include "pbrt/films/exact_sum.h"
 #include "pbrt/films/gbuffer.h"
+#include "pbrt/films/rgb.h"
+#include "pbrt/films/sensor.h"
 #include "pbrt/films/spectral.h"
 #include "pbrt/image/image.h"
 #include "pbrt/scene/description.h"
-#include "pbrt/spectra/color.h"
+#include "pbrt/util/type_list.h"
 
 namespace pbrt {
 
-/// Most pixels along a side of a picture.
+/// The one list of film types; base/film.h has their contract.
+using FilmTypes = TypeList<RGBFilm, GBufferFilm, SpectralFilm>;
+static_assert(FilmTypes::All([]<typename F>() { return FilmType<F>; }));
+
+/// Most pixels along a side of an image.
 inline constexpr int kMaxResolution = 1 << 16;
 
 /// Half-open rectangle of pixels.
@@ -23,6 +30,8 @@ struct PixelBounds {
     int Width() const { return x1 - x0; }
     int Height() const { return y1 - y0; }
     int64_t Area() const { return int64_t(Width()) * Height(); }
+    bool Contains(Point2i p) const { return p.x >= x0 && p.x < x1 && p.y >= y0 && p.y < y1; }
+    bool operator==(const PixelBounds &) const = default;
 };
 
 /// What the command line overrides of the film.
@@ -33,91 +42,96 @@ struct FilmOverrides {
     bool quick = false;  ///< a quarter of the resolution
 };
 
-/// The films: the CIE 1931 observer as sensor, colours of the film's colour space; film `rgb` keeps
-/// nothing else, `gbuffer` and `spectral` have further channels.
+/// What is recorded, of which pixels, and how: immutable while rendering. Samples are summed up in
+/// Pixel objects that the caller owns, and developed into an image.
 class Film {
   public:
     static Film Create(const SceneDescription &scene, const FilmOverrides &overrides,
                        Diagnostics &log);
 
-    /// Shutter time in seconds: the imaging ratio is seconds * iso / 100.
-    void SetExposure(float seconds) { imagingRatio = seconds * iso / 100; }
+    // Before rendering.
+    /// Shutter time in seconds.
+    void SetExposure(float seconds) { sensor.SetExposure(seconds); }
+    /// The transforms from rendering to camera and world space.
+    void SetSpaces(const Transform &camera, const Transform &world);
 
     Point2i FullResolution() const { return fullResolution; }
+    /// The pixels that are wanted, of the full resolution's.
     const PixelBounds &Bounds() const { return bounds; }
     const std::string &FileName() const { return fileName; }
     const RGBColorSpace &ColorSpace() const { return *colorSpace; }
-
-    /// The transforms from rendering to camera and world space.
-    void SetSpaces(const Transform &camera, const Transform &world) {
-        if (auto *const g = std::get_if<GBuffer>(&aovs)) g->SetSpaces(camera, world);
-    }
-    /// Whether AddSample makes use of a VisibleSurface.
-    bool WantsSurface() const { return std::holds_alternative<GBuffer>(aovs); }
-    /// Of one path; u in [0, 1).
-    SampledWavelengths SampleWavelengths(float u) const {
-        if (const auto *s = std::get_if<SpectralBuckets>(&aovs)) [[unlikely]]
-            return s->SampleWavelengths(u);
-        return SampledWavelengths::SampleVisible(u);
-    }
-
-    /// Sums of one pixel; kept by its tile, stored once.
-    struct Pixel {
-        double rgb[3] = {};
-        double weight = 0;
-        std::variant<std::monostate, SpectralBuckets::Sums, GBuffer::Sums> aovs;
-    };
-    Pixel NewPixel() const;
-    /// Sensor response to L sampled at lambda: mean over the wavelengths of L times the matching
-    /// curves over the pdf, in the film's space, clamped to `maxcomponentvalue`, times the imaging
-    /// ratio. Wavelengths of pdf 0 (terminated) do not count.
-    RGB ToSensorRGB(SampledSpectrum L, const SampledWavelengths &lambda) const;
-    /// `surface`: what the path saw first, null where nothing or nobody WantsSurface.
-    void AddSample(Pixel *pixel, SampledSpectrum L, const SampledWavelengths &lambda, float weight,
-                   const VisibleSurface *surface = nullptr) const {
-        const RGB rgb = ToSensorRGB(L, lambda);
-        for (int c = 0; c < 3; ++c)
-            pixel->rgb[c] += weight * rgb[c];
-        pixel->weight += weight;
-        if (aovs.index() != 0) [[unlikely]]
-            AddAOVs(pixel, L, rgb, lambda, weight, surface);
-    }
-    void Store(Point2i p, const Pixel &pixel);
-    RGB PixelRGB(Point2i p) const;
-
-    Image ToImage() const;
     ExrPixels Format() const { return format; }
 
-  private:
-    /// RGB of L by the matching curves, neither exposed nor clamped.
-    SampledSpectrum::Lanes Matched(SampledSpectrum L, const SampledWavelengths &lambda) const;
-    std::vector<std::string> AOVNames() const;
-    /// Memory that the pixels take until the picture is written, all at a time: sums, picture,
-    /// file.
-    uint64_t BytesFor(const PixelBounds &b) const;
-    void AddAOVs(Pixel *pixel, SampledSpectrum L, const RGB &rgb, const SampledWavelengths &lambda,
-                 float weight, const VisibleSurface *surface) const;
-    size_t Index(Point2i p) const {
-        return size_t(p.y - bounds.y0) * bounds.Width() + (p.x - bounds.x0);
+    /// Whether AddSample makes use of a VisibleSurface.
+    bool WantsSurface() const { return traits.surface; }
+    /// Wavelengths of one path; u in [0, 1).
+    SampledWavelengths SampleWavelengths(float u) const {
+        if (type.index() == 0) [[likely]]
+            return SampledWavelengths::SampleVisible(u);
+        return Dispatch(type, [u](const auto &t) { return t.SampleWavelengths(u); });
     }
+
+    /// Sums of one pixel's samples; their order and grouping do not matter.
+    struct Pixel {
+        std::array<ExactSum, 3> rgb;
+        ExactSum weight;
+        std::variant<RGBFilm::Sums, GBufferFilm::Sums, SpectralFilm::Sums> more;
+
+        double Weight() const { return weight.Value(); }
+        double Mean(int c) const { return rgb[size_t(c)].Value() / weight.Value(); }
+    };
+    Pixel NewPixel() const;
+    /// Samples on their way into a pixel. Those of one object are summed up in double precision,
+    /// one after another, and added to the exact sums together, which is faster: so their order and
+    /// grouping do matter, and must be those of a piece's samples.
+    class Samples {
+      public:
+        Samples(const Film &film, Pixel *pixel) : film(film), pixel(pixel) {}
+        /// Radiance L sampled at lambda with the filter's weight. `surface`: what the path saw
+        /// first, null where nothing or nobody WantsSurface.
+        void Add(SampledSpectrum L, const SampledWavelengths &lambda, float weight,
+                 const VisibleSurface *surface = nullptr) {
+            const RGB response = film.sensor.Response(L, lambda);
+            for (int c = 0; c < 3; ++c)
+                rgb[size_t(c)] += double(weight) * response[c];
+            sumOfWeights += weight;
+            if (film.type.index() != 0) [[unlikely]]
+                film.AddMore(pixel, L, response, lambda, weight, surface);
+        }
+        /// Once, after the last.
+        void Finish() const {
+            for (size_t c = 0; c < 3; ++c)
+                pixel->rgb[c] += rgb[c];
+            pixel->weight += sumOfWeights;
+        }
+
+      private:
+        const Film &film;
+        Pixel *pixel;
+        std::array<double, 3> rgb{};
+        double sumOfWeights = 0;
+    };
+
+    /// An image of Bounds(), black, with the channels and attributes of the film.
+    Image NewImage() const;
+    /// Sets pixel p of such an image, p in pixels of the full resolution.
+    void Develop(Point2i p, const Pixel &pixel, Image *image) const;
+
+  private:
+    void AddMore(Pixel *pixel, SampledSpectrum L, const RGB &rgb, const SampledWavelengths &lambda,
+                 float weight, const VisibleSurface *surface) const;
+    std::vector<std::string> ChannelNames() const;
+    /// Memory that the pixels take until the image is written, all at a time.
+    uint64_t BytesFor(const PixelBounds &b) const;
+
     Point2i fullResolution{1280, 720};
     PixelBounds bounds;
     std::string fileName = "pbrt.exr";
     const RGBColorSpace *colorSpace = &RGBColorSpace::sRGB();
-    float iso = 100, imagingRatio = 1, maxComponentValue = Infinity;
     ExrPixels format = ExrPixels::Half;
-    /// Per whole nm from 360: the film's r, g, b matching curves (the fourth is padding) over the
-    /// number of wavelengths.
-    std::vector<std::array<float, 4>> matching;
-    struct Sum {
-        double rgb[3] = {};
-        double weight = 0;
-    };
-    std::vector<Sum> pixels;
-    std::variant<std::monostate, SpectralBuckets, GBuffer> aovs;
-    std::vector<std::string> aovChannels;
-    std::vector<float> aovValues;  ///< pixel by pixel
-    Spectrum illuminant;           ///< white of luminance 1, that albedos are seen under
+    Sensor sensor;
+    FilmTypes::Variant type;
+    FilmTraits traits;
 };
 
 }  // namespace pbrt

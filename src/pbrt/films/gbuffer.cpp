@@ -1,5 +1,6 @@
 #include "pbrt/films/gbuffer.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace pbrt {
@@ -12,22 +13,21 @@ enum { Albedo = 0, P = 3, Slope = 6, N = 8, Ns = 11, UV = 14 };
 
 }  // namespace
 
-GBuffer GBuffer::Create(ParamDict &params) {
-    GBuffer g;
+GBufferFilm GBufferFilm::Create(ParamDict &params) {
+    GBufferFilm g;
     g.inWorld = params.GetOneChoice("coordinatesystem", "camera", kSpaces) == 1;
     return g;
 }
 
-void GBuffer::Add(Sums *sums, const RGB &rgb, float weight, const VisibleSurface *surface,
-                  const RGB &albedo) const {
-    // Welford's recurrence: nothing cancels.
+void GBufferFilm::Add(Sums *sums, const FilmSample &sample) const {
     ++sums->n;
     for (int c = 0; c < 3; ++c) {
-        const double difference = rgb[c] - sums->mean[c];
-        sums->mean[c] += difference / double(sums->n);
-        sums->squares[c] += difference * (rgb[c] - sums->mean[c]);
+        sums->rgb[size_t(c)][0] += sample.rgb[c];
+        sums->rgb[size_t(c)][1] += Sqr(double(sample.rgb[c]));
     }
+    const VisibleSurface *const surface = sample.surface;
     if (!surface) return;
+    const RGB albedo = sample.albedo;
     const Transform &t = outputFromRender;
     const Point3f p = t.Point(surface->p);
     const Vector3f n = Normalize(t.Normal(surface->n)), ns = Normalize(t.Normal(surface->ns));
@@ -47,12 +47,12 @@ void GBuffer::Add(Sums *sums, const RGB &rgb, float weight, const VisibleSurface
                                                      ns.z,
                                                      surface->uv.x,
                                                      surface->uv.y};
-    sums->weight += weight;
+    sums->weight += sample.weight;
     for (size_t i = 0; i < values.size(); ++i)
-        sums->surface[i] += double(weight) * values[i];
+        sums->surface[i] += double(sample.weight) * values[i];
 }
 
-std::vector<std::string> GBuffer::ChannelNames() const {
+std::vector<std::string> GBufferFilm::ChannelNames() const {
     return {"Albedo.R",
             "Albedo.G",
             "Albedo.B",
@@ -77,9 +77,10 @@ std::vector<std::string> GBuffer::ChannelNames() const {
             "RelativeVariance.B"};
 }
 
-void GBuffer::Write(const Sums &sums, float *channels) const {
+void GBufferFilm::Write(const Sums &sums, float *channels) const {
+    const double weight = sums.weight.Value();
     for (size_t i = 0; i < kSurfaceChannels; ++i)
-        channels[i] = sums.weight == 0 ? 0 : float(sums.surface[i] / sums.weight);
+        channels[i] = weight == 0 ? 0 : float(sums.surface[i].Value() / weight);
     for (int first : {N, Ns}) {
         float *const n = channels + first;
         const float length = std::sqrt(Sqr(n[0]) + Sqr(n[1]) + Sqr(n[2]));
@@ -88,10 +89,15 @@ void GBuffer::Write(const Sums &sums, float *channels) const {
                 n[c] /= length;
     }
     float *const variance = channels + kSurfaceChannels, *const relative = variance + 3;
-    for (int c = 0; c < 3; ++c) {
-        const double v = sums.n < 2 ? 0 : sums.squares[c] / double(sums.n - 1);
+    for (size_t c = 0; c < 3; ++c) {
+        const double n = double(std::max<int64_t>(sums.n, 1));
+        const double mean = sums.rgb[c][0].Value() / n;
+        // Both sums are exact but for ExactSum's last digit, so that the difference of the two,
+        // which cancels for even pixels, errs by n 2^-53 of the squared mean.
+        const double squares = std::max(sums.rgb[c][1].Value() - n * mean * mean, 0.);
+        const double v = sums.n < 2 ? 0 : squares / (n - 1);
         variance[c] = float(v);
-        relative[c] = sums.mean[c] == 0 ? 0 : float(v / Sqr(sums.mean[c]));
+        relative[c] = mean == 0 ? 0 : float(v / Sqr(mean));
     }
 }
 

@@ -1,50 +1,44 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "pbrt/scene/params.h"
-#include "pbrt/util/transform.h"
+#include "pbrt/base/film.h"
+#include "pbrt/films/exact_sum.h"
 
 namespace pbrt {
 
-/// What a camera ray met first, in rendering space.
-struct VisibleSurface {
-    Point3f p;
-    Normal3f n, ns;
-    Point2f uv;
-    Vector3f dpdx, dpdy;     ///< per pixel step
-    SampledSpectrum albedo;  ///< share of even light that is scattered towards the camera
-};
-
-/// What film `gbuffer` keeps beside R, G and B: means over what is seen of position, depth slopes,
-/// normals, uv and albedo (each weighted by the pixel filter; 0 where nothing is seen), and the
-/// variance of the samples' R, G, B, also relative to the squared mean.
-class GBuffer {
+/// Film `gbuffer`: means over what camera rays see first of position, depth slopes, normals, uv and
+/// albedo (each weighted by the pixel filter; 0 where nothing is seen), and the variance of the
+/// samples' R, G, B, also relative to the squared mean.
+class GBufferFilm {
   public:
     static constexpr std::string_view kName = "gbuffer";
-    static GBuffer Create(ParamDict &params);
-    /// From rendering space; the film's `coordinatesystem` chooses.
+    static constexpr FilmTraits kTraits{.surface = true, .exrOnly = true};
+    static constexpr size_t kSurfaceChannels = 16;
+    /// On the heap, so that pixels of other films stay small.
+    struct Sums {
+        int64_t n = 0;
+        ExactSum weight;                           ///< of the samples that see something
+        std::vector<ExactSum> surface;             ///< kSurfaceChannels, weighted
+        std::vector<std::array<ExactSum, 2>> rgb;  ///< R, G, B and their squares, not weighted
+    };
+
+    static GBufferFilm Create(ParamDict &params);
+    /// The film's `coordinatesystem` chooses.
     void SetSpaces(const Transform &camera, const Transform &world) {
         outputFromRender = inWorld ? world : camera;
     }
-
-    static constexpr size_t kSurfaceChannels = 16;
-    /// Of one pixel.
-    struct Sums {
-        double weight = 0;
-        std::array<double, kSurfaceChannels> surface{};
-        int64_t n = 0;
-        std::array<double, 3> mean{}, squares{};  ///< of rgb; squares of differences from the mean
-    };
-    Sums NewSums() const { return {}; }
-    /// rgb: the sample's; albedo: the surface's, in the film's RGB.
-    void Add(Sums *sums, const RGB &rgb, float weight, const VisibleSurface *surface,
-             const RGB &albedo) const;
-
+    SampledWavelengths SampleWavelengths(float u) const {
+        return SampledWavelengths::SampleVisible(u);
+    }
+    Sums NewSums() const {
+        return {0,
+                {},
+                std::vector<ExactSum>(kSurfaceChannels),
+                std::vector<std::array<ExactSum, 2>>(3)};
+    }
+    void Add(Sums *sums, const FilmSample &sample) const;
     std::vector<std::string> ChannelNames() const;
-    /// One value per channel.
     void Write(const Sums &sums, float *channels) const;
+    void WriteMetadata(std::map<std::string, std::string> *) const {}
 
   private:
     bool inWorld = false;

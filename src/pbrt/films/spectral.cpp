@@ -13,8 +13,8 @@ constexpr FloatParam kMax{"lambdamax", "nm", LambdaMax, LambdaMin, LambdaMax, "o
 
 }  // namespace
 
-SpectralBuckets SpectralBuckets::Create(ParamDict &params) {
-    SpectralBuckets b;
+SpectralFilm SpectralFilm::Create(ParamDict &params) {
+    SpectralFilm b;
     b.n = size_t(params.GetOneInt("nbuckets", 16, 1, 4096));
     const float least = params.GetOneFloat(kMin), most = params.GetOneFloat(kMax);
     if (least < most)
@@ -24,20 +24,19 @@ SpectralBuckets SpectralBuckets::Create(ParamDict &params) {
     return b;
 }
 
-void SpectralBuckets::Add(Sums *sums, SampledSpectrum L, const SampledWavelengths &lambda,
-                          float weight) const {
-    const SampledSpectrum pdf = lambda.PDF();
+void SpectralFilm::Add(Sums *sums, const FilmSample &sample) const {
+    const SampledSpectrum pdf = sample.lambda.PDF();
     for (int i = 0; i < NSpectrumSamples; ++i) {
         if (pdf[i] == 0) continue;
         // Where a path ended its other wavelengths, the one that is left stands for all.
-        const double share = double(weight) / pdf[i];
-        const size_t b = size_t(BucketOf(lambda[i]));
-        sums->values[b] += share * L[i];
+        const double share = double(sample.weight) / pdf[i];
+        const size_t b = size_t(BucketOf(sample.lambda[i]));
+        sums->values[b] += share * sample.exposed[i];
         sums->weights[b] += share;
     }
 }
 
-std::vector<std::string> SpectralBuckets::ChannelNames() const {
+std::vector<std::string> SpectralFilm::ChannelNames() const {
     std::vector<std::string> names;
     for (size_t i = 0; i < n; ++i) {
         std::string middle = fmt::format(
@@ -48,9 +47,15 @@ std::vector<std::string> SpectralBuckets::ChannelNames() const {
     return names;
 }
 
-void SpectralBuckets::Write(const Sums &sums, float *channels) const {
-    for (size_t i = 0; i < n; ++i)
-        channels[i] = sums.weights[i] == 0 ? 0 : float(sums.values[i] / sums.weights[i]);
+void SpectralFilm::Write(const Sums &sums, float *channels) const {
+    for (size_t i = 0; i < n; ++i) {
+        const double weight = sums.weights[i].Value();
+        channels[i] = weight == 0 ? 0 : float(sums.values[i].Value() / weight);
+    }
+}
+
+void SpectralFilm::WriteMetadata(std::map<std::string, std::string> *strings) const {
+    strings->insert({{"spectralLayoutVersion", "1.0"}, {"emissiveUnits", "W.m^-2.sr^-1"}});
 }
 
 }  // namespace pbrt

@@ -1,37 +1,38 @@
 #pragma once
 
-#include <string>
-#include <vector>
+#include <algorithm>
 
-#include "pbrt/scene/params.h"
+#include "pbrt/base/film.h"
+#include "pbrt/films/exact_sum.h"
 
 namespace pbrt {
 
-/// What film `spectral` keeps beside R, G and B: mean radiance in `nbuckets` equal parts of
-/// [lambdamin, lambdamax] nm, in the unit of R, G, B: under a light of constant spectrum 1 each is
-/// 1 where R, G, B make a Y of 1. All wavelengths of the film are drawn from that range, evenly; so
-/// R, G and B miss what lies outside.
-class SpectralBuckets {
+/// Film `spectral`: mean radiance in `nbuckets` equal parts of [lambdamin, lambdamax] nm, in the
+/// unit of R, G, B: under a light of constant spectrum 1 each is 1 where R, G, B make a Y of 1. All
+/// wavelengths of the film are drawn from that range, evenly; so R, G and B miss what lies outside.
+class SpectralFilm {
   public:
     static constexpr std::string_view kName = "spectral";
-    static SpectralBuckets Create(ParamDict &params);
-
-    /// Of one pixel, by bucket.
+    static constexpr FilmTraits kTraits{.spectral = true, .exrOnly = true};
+    /// By bucket.
     struct Sums {
-        std::vector<double> values, weights;
+        std::vector<ExactSum> values, weights;
     };
-    Sums NewSums() const { return {std::vector<double>(n), std::vector<double>(n)}; }
+
+    static SpectralFilm Create(ParamDict &params);
+    void SetSpaces(const Transform &, const Transform &) {}
     SampledWavelengths SampleWavelengths(float u) const {
         return SampledWavelengths::SampleUniform(u, lambdaMin, lambdaMax);
     }
+    Sums NewSums() const { return {std::vector<ExactSum>(n), std::vector<ExactSum>(n)}; }
     /// Counts the sample's wavelengths where they lie; ended ones (pdf 0) nowhere.
-    void Add(Sums *sums, SampledSpectrum L, const SampledWavelengths &lambda, float weight) const;
-
+    void Add(Sums *sums, const FilmSample &sample) const;
     /// `S0.<middle of the bucket, decimal comma>nm`, as in the layout of spectral OpenEXR files by
     /// Fichet et al. 2021.
     std::vector<std::string> ChannelNames() const;
-    /// One value per channel; 0 where a bucket got no sample.
+    /// 0 where a bucket got no sample.
     void Write(const Sums &sums, float *channels) const;
+    void WriteMetadata(std::map<std::string, std::string> *strings) const;
     int BucketOf(float lambda) const {
         return std::clamp(int((lambda - lambdaMin) / (lambdaMax - lambdaMin) * float(n)), 0,
                           int(n) - 1);

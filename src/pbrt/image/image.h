@@ -46,6 +46,7 @@ class Image {
     float Get(Point2i p, int c) const { return pixels[Offset(p) + c]; }
     void Set(Point2i p, int c, float v) { pixels[Offset(p) + c] = v; }
     const float *Pixel(Point2i p) const { return &pixels[Offset(p)]; }
+    float *Pixel(Point2i p) { return &pixels[Offset(p)]; }
     const std::vector<float> &Data() const { return pixels; }
     std::vector<float> &Data() { return pixels; }
 

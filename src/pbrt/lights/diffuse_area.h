@@ -62,7 +62,8 @@ struct DiffuseAreaLight {
         if (surface->rectangle) return surface->rectangle->PDFFrom(ref, p);
         return PDFFrom(*surface->shape, primitive, ref, p, n);
     }
-    SampledSpectrum L(Normal3f n, Vector3f w, const SampledWavelengths &lambda) const {
+    SampledSpectrum L(Point3f, Normal3f n, Point2f, Vector3f w,
+                      const SampledWavelengths &lambda) const {
         if (!surface->twoSided && !(Dot(n, w) > 0)) return SampledSpectrum(0.f);
         return surface->radiance.Sample(lambda) * scale;
     }

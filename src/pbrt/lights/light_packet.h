@@ -42,9 +42,8 @@ inline void Le(const Light &light, const Vector3fX16 &d, const WavelengthPacket 
     Dispatch(light, [&]<typename L>(const L &l) {
         if constexpr (L::kTraits.isWideSeen) return l.Le(d, lambda, lanes, le);
         ForEachLane(lanes, [&](int i) {
-            const LightLe one = Le(light, Lane(d, i), *lambda[size_t(i)]);
-            le->L[size_t(i)] = one.L;
-            le->pdf[i] = one.pdf;
+            le->L[size_t(i)] = Le(light, Ray{{}, Lane(d, i)}, *lambda[size_t(i)]);
+            le->pdf[i] = PDF_Li(light, Lane(d, i));
         });
     });
 }

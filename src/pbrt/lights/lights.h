@@ -55,22 +55,27 @@ inline float PDF_Hit(const Light &light, const LightSampleContext &ctx, Point3f 
         return 0;
     });
 }
-/// Radiance that leaves an area light's surface into direction w where its normal is n; 0 for other
-/// lights.
-inline SampledSpectrum L(const Light &light, Normal3f n, Vector3f w,
+/// Radiance that leaves an area light's surface at a hit into direction w; 0 for other lights.
+inline SampledSpectrum L(const Light &light, Point3f p, Normal3f n, Point2f uv, Vector3f w,
                          const SampledWavelengths &lambda) {
     return Dispatch(light, [&]<typename T>(const T &l) {
-        if constexpr (T::kTraits.isArea) return l.L(n, w, lambda);
+        if constexpr (T::kTraits.isArea) return l.L(p, n, uv, w, lambda);
         return SampledSpectrum(0.f);
     });
 }
 
-/// Radiance along a ray of direction d that leaves the scene, and the density of SampleLi for it; 0
-/// but for infinite lights.
-inline LightLe Le(const Light &light, Vector3f d, const SampledWavelengths &lambda) {
-    return Dispatch(light, [&]<typename T>(const T &l) -> LightLe {
-        if constexpr (T::kTraits.isInfinite) return {l.Le(d, lambda), l.PDF_Li(d)};
-        return {SampledSpectrum(0.f), 0};
+/// Radiance along a ray that leaves the scene; 0 but for infinite lights.
+inline SampledSpectrum Le(const Light &light, const Ray &ray, const SampledWavelengths &lambda) {
+    return Dispatch(light, [&]<typename T>(const T &l) {
+        if constexpr (T::kTraits.isInfinite) return l.Le(ray.d, lambda);
+        return SampledSpectrum(0.f);
+    });
+}
+/// Density of SampleLi for wi, per unit solid angle; 0 but for infinite lights (see PDF_Hit).
+inline float PDF_Li(const Light &light, Vector3f wi) {
+    return Dispatch(light, [&]<typename T>(const T &l) -> float {
+        if constexpr (T::kTraits.isInfinite) return l.PDF_Li(wi);
+        return 0;
     });
 }
 

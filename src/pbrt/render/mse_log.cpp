@@ -53,20 +53,20 @@ std::optional<MseLog> MseLog::Create(const Options &options, const Film &film, D
     return mse;
 }
 
-void MseLog::Add(const Film &film, int samplesPerPixel) {
+void MseLog::Add(const Image &image, int samplesPerPixel) {
     const int channels[3] = {reference.ChannelIndex("R"), reference.ChannelIndex("G"),
                              reference.ChannelIndex("B")};
-    const PixelBounds b = film.Bounds();
+    const auto [x0, x1, y0, y1] = image.metadata.pixelBounds;
     const int left = reference.metadata.pixelBounds[0], top = reference.metadata.pixelBounds[2];
     double sum = 0;
-    for (int y = b.y0; y < b.y1; ++y)
-        for (int x = b.x0; x < b.x1; ++x) {
-            const RGB rgb = film.PixelRGB({x, y});
+    for (int y = y0; y < y1; ++y)
+        for (int x = x0; x < x1; ++x) {
+            const float *const rgb = image.Pixel({x - x0, y - y0});
             const float *const expected = reference.Pixel({x - left, y - top});
             for (int c = 0; c < 3; ++c)
                 sum += Sqr(double(rgb[c]) - expected[channels[c]]);
         }
-    error = sum / (3 * double(b.Area()));
+    error = sum / (3.0 * (x1 - x0) * (y1 - y0));
     lines += fmt::format("{}, {:.9g}\n", samplesPerPixel, error);
     if (!problem) problem = WriteFileAtomically(outfile, lines);
 }

@@ -18,7 +18,7 @@ class MseLog {
 
     /// Writes a line `spp, error` and all before it: the mean over pixels, R, G and B of the
     /// squared difference.
-    void Add(const Film &film, int samplesPerPixel);
+    void Add(const Image &image, int samplesPerPixel);
     /// Error of the last picture added.
     double Error() const { return error; }
     /// Why the file could not be written, if so.

@@ -28,7 +28,7 @@ enum class Randomization { None, PermuteDigits, Owen, FastOwen };
 /// Numbers are made sixteen at a time: as many dimensions of one sample, or as many samples of a
 /// batch in one dimension. What depends on the pixel and not on the index is kept: of one pixel for
 /// the first 64 dimensions, so its samples should be taken one after another; of a batch for the
-/// last sixteen dimensions asked for.
+/// last 64 dimensions asked for.
 class ZSobolSampler {
   public:
     static constexpr std::string_view kName = "zsobol";
@@ -76,7 +76,7 @@ class ZSobolSampler {
     }
 
   private:
-    static constexpr int kKnownBlocks = 4, kKnownDimensions = 16;
+    static constexpr int kKnownBlocks = 4, kKnownDimensions = 64;
 
     /// What a dimension needs to know about a pixel, sixteen times.
     struct PixelPlace {

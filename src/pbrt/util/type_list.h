@@ -39,6 +39,11 @@ struct TypeList {
     static void ForEach(F &&visit) {
         (visit.template operator()<Ts>(), ...);
     }
+    /// Whether test.template operator()<T>() holds for every type: for contracts.
+    template <typename F>
+    static constexpr bool All(F &&test) {
+        return (test.template operator()<Ts>() && ...);
+    }
 };
 
 namespace detail {

@@ -2,35 +2,42 @@
 
 #include "pbrt/build/null_transmission.h"
 #include "pbrt/build/visible_surface.h"
+#include "pbrt/integrators/camera_sample.h"
 #include "pbrt/integrators/path/path_batch.h"
 #include "pbrt/integrators/path/surface_vertices.h"
+#include "pbrt/integrators/tracer.h"
 
 namespace pbrt {
 
-/// Traces a batch of paths side by side, one vertex of each at a time: rays are traced in
-/// packets, and what a packet's sixteen paths do alike is done at once. Every path's result depends
-/// on nothing but its pixel and sample number, and, in its roundings, on the paths that share its
-/// packets: which these are depends on the scene and the picture's bounds, not on threads. Large
-/// (two megabytes): one a thread, on the heap.
+/// Traces a batch of paths side by side, one vertex of each at a time: rays are traced in packets,
+/// and what a packet's sixteen paths do alike is done at once. A
+/// path's result depends on its pixel and sample number, and, in its roundings, on the paths of its
+/// batch, which share its packets: so batches have the same borders whatever part of an image is
+/// rendered (render/pieces.h). Large (two megabytes): one for each thread, on the heap.
 template <typename SamplerT, typename Scattering = DefaultScattering>
-class BatchTracer {
+class BatchTracer final : public Tracer {
   public:
-    BatchTracer(const RenderScene &scene, const SamplerT &sampler)
-        : scene(scene), sampler(sampler), choosesLights(!scene.lightSampler.OnlyLight()) {
+    BatchTracer(const RenderScene &scene, const PathSettings &settings, const SamplerT &sampler)
+        : scene(scene),
+          settings(settings),
+          sampler(sampler),
+          choosesLights(!settings.lightSampler.OnlyLight()) {
         for (PathQueue &queue : paths.queues)
-            queue.KeepNormals(scene.lightSampler.ReadsNormals());
+            queue.KeepNormals(settings.lightSampler.ReadsNormals());
         for (const Geometry &g : scene.geometries) {
             materialOf.push_back(uint32_t(g.material));
             kindOf.push_back(scene.AsMix(g.material) ? kMix : MaterialGroup(uint32_t(g.material)));
         }
     }
 
-    /// Adds the samples to the pixels' sums; batch.Size() <= kBatchSize.
-    void Trace(const SampleBatch &what, std::span<Film::Pixel> sums, RayCounts &counts) {
+    void StartTile(std::span<const Point2i> tile) override {
+        pixels.assign(tile.begin(), tile.end());
+        sampler.StartBatch(pixels);
+    }
+    void Trace(const SampleBatch &what, std::span<Film::Pixel> sums, RayCounts &counts) override {
         DCHECK(what.Size() <= kBatchSize);
         batch = what;
         rays = &counts;
-        sampler.StartBatch(batch.pixels);
         StartPaths();
         for (int dimension = kFirstVertexDimension; paths.queue->Size() > 0;
              dimension += VertexNumbers::kDimensions)
@@ -41,15 +48,13 @@ class BatchTracer {
   private:
     static constexpr size_t kTypes = std::variant_size_v<Material>;
     static constexpr uint32_t kMix = ~0u;  ///< the kind of no path
-    // Dimensions of the camera's numbers.
-    static constexpr int kWavelength = 0, kFilm = 1, kTime = 2, kLens = 3,
-                         kFirstVertexDimension = 4;
+    static constexpr int kFirstVertexDimension = CameraDimensions::kEnd;
 
     void StartPaths() {
         uint32_t slot = 0;
-        for (uint32_t pixel = 0; pixel < batch.pixels.size(); ++pixel)
+        for (int pixel = batch.firstPixel; pixel < batch.lastPixel; ++pixel)
             for (int k = batch.firstSample; k < batch.lastSample; ++k, ++slot)
-                paths.pixel[slot] = pixel, paths.sample[slot] = uint32_t(k);
+                paths.pixel[slot] = uint32_t(pixel), paths.sample[slot] = uint32_t(k);
         // The last packet draws for lanes that do not count.
         std::fill_n(&paths.pixel[slot], kPacketSize, 0u);
         paths.queue->Clear();
@@ -60,18 +65,21 @@ class BatchTracer {
         const UintX16 pixel = LoadWide(&paths.pixel[first]), k = LoadWide(&paths.sample[first]);
         const bool jitters = !scene.options.disablePixelJitter;
         const FloatX16 half = Broadcast16(0.5f);
-        const FloatX16 uLambda =
-            scene.options.disableWavelengthJitter ? half : sampler.Get1D(kWavelength, pixel, k);
-        const Point2fX16 uFilm = sampler.Get2D(kFilm, pixel, k);
+        const FloatX16 uLambda = scene.options.disableWavelengthJitter
+                                     ? half
+                                     : sampler.Get1D(CameraDimensions::kWavelength, pixel, k);
+        const Point2fX16 uFilm = sampler.Get2D(CameraDimensions::kFilm, pixel, k);
         FloatX16 time{};
-        if (scene.isAnimated) time = jitters ? sampler.Get1D(kTime, pixel, k) : half;
+        if (scene.isAnimated)
+            time = jitters ? sampler.Get1D(CameraDimensions::kTime, pixel, k) : half;
         Point2fX16 uLens{half, half};
-        if (scene.camera.HasLens() && jitters) uLens = sampler.Get2D(kLens, pixel, k);
+        if (scene.camera.HasLens() && jitters)
+            uLens = sampler.Get2D(CameraDimensions::kLens, pixel, k);
         Point2fX16 film;
         for (int i = 0; i < kPacketSize; ++i) {
             const FilterSample f =
                 jitters ? Sample(scene.filter, Lane(uFilm, i)) : FilterSample{{}, 1};
-            const Point2i at = batch.pixels[pixel[i]];
+            const Point2i at = pixels[pixel[i]];
             filterWeight[first + uint32_t(i)] = f.weight;
             SetLane(&film, i, {at.x + 0.5f + f.p.x, at.y + 0.5f + f.p.y});
         }
@@ -166,14 +174,16 @@ class BatchTracer {
         const UintX16 at = Select(MaskOf(FirstLanes(count)), LoadWide(from), Broadcast16(from[0]));
         if (kind == 0) {
             if (scene.infiniteLights.empty()) return;
-            return AddEscapedRadiance(scene, paths.queue->At(at), FirstLanes(count), &paths);
+            return AddEscapedRadiance(scene, settings, paths.queue->At(at), FirstLanes(count),
+                                      &paths);
         }
         const UintX16 slot = paths.queue->SlotsAt(at);
         const UintX16 pixel = Gather(&paths.pixel[0], slot), k = Gather(&paths.sample[0], slot);
         VisitGroup(kind - 1, [&]<typename M, bool kUniform>() {
             const auto numbers =
                 VertexNumbers::Draw(sampler, dimension, pixel, k, {choosesLights, !HasOneLobe<M>});
-            SurfaceVertices<M, kUniform, Scattering>(scene, paths, numbers).Shade(at, count);
+            SurfaceVertices<M, kUniform, Scattering>(scene, settings, paths, numbers)
+                .Shade(at, count);
         });
     }
     /// Calls f<M, kUniform>() for the kind 2 * index of M in Material + kUniform.
@@ -216,19 +226,23 @@ class BatchTracer {
     void AddToFilm(std::span<Film::Pixel> sums) {
         const bool surfaces = scene.film.WantsSurface();
         uint32_t slot = 0;
-        for (Film::Pixel &pixel : sums) {
+        for (int p = batch.firstPixel; p < batch.lastPixel; ++p) {
+            Film::Samples samples(scene.film, &sums[size_t(p)]);
             for (int k = 0; k < batch.SamplesPerPixel(); ++k, ++slot) {
                 SampledSpectrum &L = paths.L[slot];
-                // Never seen in tests; a picture must not lose a pixel to one path.
+                // Never seen in tests; an image must not lose a pixel to one path.
                 if (!L.IsFinite()) L = SampledSpectrum(0);
-                scene.film.AddSample(&pixel, L, paths.lambda[slot], filterWeight[slot],
-                                     surfaces && seen[slot] ? &*seen[slot] : nullptr);
+                samples.Add(L, paths.lambda[slot], filterWeight[slot],
+                            surfaces && seen[slot] ? &*seen[slot] : nullptr);
             }
+            samples.Finish();
         }
     }
 
     const RenderScene &scene;
+    const PathSettings &settings;
     SamplerT sampler;
+    std::vector<Point2i> pixels;  ///< of the tile
     const bool choosesLights;
     RayCounts *rays = nullptr;
     SampleBatch batch;

@@ -1,19 +1,8 @@
 #pragma once
 
-#include <span>
-
 #include "pbrt/integrators/path/path_queue.h"
 
 namespace pbrt {
-
-/// Some samples of some pixels.
-struct SampleBatch {
-    std::span<const Point2i> pixels;
-    int firstSample, lastSample;  ///< [first, last) of each pixel
-
-    int SamplesPerPixel() const { return lastSample - firstSample; }
-    int Size() const { return int(pixels.size()) * SamplesPerPixel(); }
-};
 
 /// The paths of a batch between two steps, and what they have gathered.
 struct PathBatch {
@@ -23,7 +12,7 @@ struct PathBatch {
     BatchArray<float> t{}, u{}, v{};
     BatchArray<uint32_t> geometry{}, primitive{}, instance{}, material{};
     // By slot: a path's number in the batch, pixel by pixel.
-    BatchArray<uint32_t> pixel{}, sample{};  ///< the pixel's place in SampleBatch::pixels
+    BatchArray<uint32_t> pixel{}, sample{};  ///< the pixel's place in the tile
     BatchArray<SampledSpectrum> L{};
     BatchArray<SampledWavelengths> lambda{};
 

@@ -1,12 +1,10 @@
 #pragma once
 
+#include "pbrt/integrators/found_light.h"
 #include "pbrt/integrators/path/path_state.h"
+#include "pbrt/integrators/tracer.h"
 
 namespace pbrt {
-
-/// So many paths are traced together: enough that packets stay full when most have ended, few
-/// enough that their state stays in a core's own cache.
-inline constexpr int kBatchSize = 2048;
 
 /// One number for each path of a batch, readable sixteen at a time.
 template <typename T>
@@ -103,7 +101,7 @@ class ShadowQueue {
     }
     /// As far as just before the light, at sixteen places.
     RayPacket RaysAt(const UintX16 &at) const {
-        return {o.At(at), d.At(at), Broadcast16(1 - 1e-4f), Gather(&time[0], at)};
+        return {o.At(at), d.At(at), Broadcast16(kShadowEnd), Gather(&time[0], at)};
     }
     /// Of sixteen successive rays; those beyond Size() are anything.
     Vector3fX16 Directions(int first) const { return d.Load(first); }

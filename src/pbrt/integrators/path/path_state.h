@@ -3,17 +3,10 @@
 #include <array>
 
 #include "pbrt/base/hit.h"
+#include "pbrt/base/integrator.h"
 #include "pbrt/base/light.h"
 
 namespace pbrt {
-
-/// Rays traced; each thread counts its own.
-struct RayCounts {
-    int64_t closest = 0, shadow = 0;
-    RayCounts &operator+=(const RayCounts &b) {
-        return closest += b.closest, shadow += b.shadow, *this;
-    }
-};
 
 /// What a path takes from one vertex to the next, and what finding light must know of it.
 struct PathState {

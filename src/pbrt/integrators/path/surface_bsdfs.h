@@ -1,15 +1,12 @@
 #pragma once
 
-#include <algorithm>
-
-#include "pbrt/bxdfs/albedo.h"
+#include "pbrt/build/surface_bsdf.h"
 #include "pbrt/bxdfs/bxdf_packet.h"
 
 namespace pbrt {
 
 /// The BxDFs of sixteen surfaces: their own, or, with Option "forcediffuse", matt ones that reflect
-/// as much. Theirs is DiffuseBxDF of AlbedoOf towards wo (with its errors), at most 1: mirrors and
-/// glass become matt, and nothing is let through. pbrt-v4 takes a random estimate of the same.
+/// as much (DiffuseOf).
 template <typename BxDF>
 class SurfacePacketBSDF {
   public:
@@ -18,10 +15,7 @@ class SurfacePacketBSDF {
     void Set(int i, const BxDF &bxdf) { own.Set(i, bxdf); }
     template <BxDFModel B>
     void SetDiffuse(int i, const B &bxdf, Vector3f wo) {
-        SampledSpectrum albedo = AlbedoOf(bxdf, wo);
-        for (int k = 0; k < NSpectrumSamples; ++k)
-            albedo.Set(k, std::min(albedo[k], 1.f));
-        diffuse.Set(i, DiffuseBxDF(albedo));
+        diffuse.Set(i, DiffuseOf(bxdf, wo));
     }
     void Regularize(int i) {
         if (!forceDiffuse) own.Regularize(i);

@@ -35,8 +35,13 @@ struct DefaultScattering {
 template <typename M, bool kUniform, typename Scattering = DefaultScattering>
 class SurfaceVertices {
   public:
-    SurfaceVertices(const RenderScene &scene, PathBatch &batch, const VertexNumbers &numbers)
-        : scene(scene), batch(batch), numbers(numbers), bsdfs(scene.options.forceDiffuse) {}
+    SurfaceVertices(const RenderScene &scene, const PathSettings &settings, PathBatch &batch,
+                    const VertexNumbers &numbers)
+        : scene(scene),
+          settings(settings),
+          batch(batch),
+          numbers(numbers),
+          bsdfs(scene.options.forceDiffuse) {}
 
     /// The paths at the first `count` of the given places in the queue; all places exist.
     void Shade(const UintX16 &places, int count) {
@@ -45,7 +50,7 @@ class SurfaceVertices {
         path = batch.queue->At(at);
         SurfaceAt();
         AddEmissions();
-        const MaskX16 last = std::bit_cast<IntX16>(path.depth) == scene.path.maxDepth;
+        const MaskX16 last = std::bit_cast<IntX16>(path.depth) == settings.maxDepth;
         if (!HasNullTransmissionV<M> || scene.options.forceDiffuse) lanes &= ~BitsOf(last);
         if (lanes == 0) return;
         SetContexts();
@@ -54,7 +59,7 @@ class SurfaceVertices {
         lanes &= BitsOf(wo.z != 0.f);
         if constexpr (HasNullTransmissionV<M>) PassLastGaps(lanes & BitsOf(last));
         MakeBSDFs();
-        if (nonSpecular != 0 && scene.path.strategy != LightStrategy::BSDFOnly) SampleLights();
+        if (nonSpecular != 0 && settings.strategy != LightStrategy::BSDFOnly) SampleLights();
         ScatterPaths();
         RussianRoulette();
         batch.next->Add(path, lanes);
@@ -83,8 +88,9 @@ class SurfaceVertices {
         ForEachLane(lanes, [&](int i) {
             const Geometry &geometry = GeometryAt(i);
             if (geometry.firstLight < 0) return;
-            batch.L[Slot(i)] += EmittedRadiance(scene, path.At(i), geometry, hits.primitive[i],
-                                                Lane(sp, i), batch.lambda[Slot(i)]);
+            batch.L[Slot(i)] +=
+                EmittedRadiance(scene, settings, path.At(i), geometry, hits.primitive[i],
+                                Lane(sp, i), batch.lambda[Slot(i)]);
         });
     }
 
@@ -135,7 +141,7 @@ class SurfaceVertices {
                                  Lane(wo, i));
             else
                 bsdfs.Set(i, Scattering::At(MaterialAt(i), ContextAt(i), batch.lambda[Slot(i)]));
-            if (scene.path.regularize && path.anyNonSpecular[i]) bsdfs.Regularize(i);
+            if (settings.regularize && path.anyNonSpecular[i]) bsdfs.Regularize(i);
             const BxDFFlags flags = bsdfs.Flags(i);
             nonSpecular |= LaneBits(IsNonSpecular(flags)) << i;
             allSides |= LaneBits(IsTransmissive(flags)) << i;
@@ -153,7 +159,7 @@ class SurfaceVertices {
         const BxDFValues values = bsdfs.Evaluate(wo, wi, lit);
         const FloatX16 lightPDF = pmf * ls.pdf;
         FloatX16 weight = Abs(wi.z) / lightPDF;
-        if (scene.path.strategy == LightStrategy::Both)
+        if (settings.strategy == LightStrategy::Both)
             weight *= Select(MaskOf(ls.delta), 1.f, PowerHeuristic(lightPDF, values.pdf));
         std::array<SampledSpectrum, kPacketSize> gain;
         LaneBits some = 0;
@@ -169,10 +175,11 @@ class SurfaceVertices {
     FloatX16 ChooseLights(const LightSampleContextX16 &ctx, LightLiSamples *samples) const {
         FloatX16 pmf = Broadcast16(1.f);
         LightPacket lights{};
-        if (const auto only = scene.lightSampler.OnlyLight()) {
+        if (const auto only = settings.lightSampler.OnlyLight()) {
             lights.fill(&scene.lights[size_t(*only)]);
         } else {
-            const SampledLights chosen = scene.lightSampler.Sample(ctx, numbers.light, nonSpecular);
+            const SampledLights chosen =
+                settings.lightSampler.Sample(ctx, numbers.light, nonSpecular);
             pmf = chosen.pmf;
             ForEachLane(chosen.valid, [&](int i) {
                 lights[size_t(i)] = &scene.lights[size_t(chosen.light[size_t(i)])];
@@ -230,6 +237,7 @@ class SurfaceVertices {
     }
 
     const RenderScene &scene;
+    const PathSettings &settings;
     PathBatch &batch;
     const VertexNumbers &numbers;
     UintX16 at;

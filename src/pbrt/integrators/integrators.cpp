@@ -1,0 +1,48 @@
+#include "pbrt/integrators/integrators.h"
+
+#include <fmt/format.h>
+
+#include "pbrt/integrators/one_by_one.h"
+
+namespace pbrt {
+namespace {
+
+/// Without media `volpath` is `path`.
+constexpr std::string_view kVolPath = "volpath";
+
+}  // namespace
+
+std::vector<std::string_view> IntegratorNames() {
+    std::vector<std::string_view> names{kVolPath};
+    names.insert(names.end(), IntegratorTypes::kNames.begin(), IntegratorTypes::kNames.end());
+    return names;
+}
+
+Integrator CreateIntegrator(const SceneDescription &description, Diagnostics &log) {
+    const Entity &entity = description.integrator;
+    const std::string name = entity.type.empty() ? std::string(kVolPath) : entity.type;
+    ParamDict params(entity.params, entity.loc, fmt::format("integrator \"{}\"", name),
+                     entity.colorSpace, &log, description.dir);
+    Integrator integrator;
+    const bool known =
+        IntegratorTypes::Visit(name == kVolPath ? PathIntegrator::kName : std::string_view(name),
+                               [&]<typename I>() { integrator = I::Create(params); });
+    if (known)
+        params.ReportUnused();
+    else
+        params.Error(UnknownName("integrator", name, IntegratorNames()));
+    return integrator;
+}
+
+std::unique_ptr<Tracer> MakeTracer(const Integrator &integrator, const RenderScene &scene) {
+    return Dispatch(integrator, [&]<typename I>(const I &i) -> std::unique_ptr<Tracer> {
+        if constexpr (I::kTraits.tracesBatches)
+            return i.MakeTracer(scene);
+        else
+            return Dispatch(scene.sampler, [&]<typename S>(const S &s) -> std::unique_ptr<Tracer> {
+                return std::make_unique<OneByOneTracer<I, S>>(scene, i, s);
+            });
+    });
+}
+
+}  // namespace pbrt
