@@ -139,9 +139,10 @@ concept BasicLight = std::copyable<L> && requires(const L l, const LightSampleCo
 };
 
 /// A light with isArea.
-///   SampledSpectrum L(Normal3f n, Vector3f w, const SampledWavelengths &) const
-///       radiance that leaves a point of the surface, seen with normal n, into the unit direction
-///       w.
+///   SampledSpectrum L(Point3f p, Normal3f n, Point2f uv, Vector3f w,
+///                     const SampledWavelengths &) const
+///       radiance that leaves the surface at a hit (of SurfaceInteraction: p, n, uv) into the unit
+///       direction w.
 ///   float PDF_Hit(Point3f ref, Point3f p, Normal3f n) const
 ///       density of SampleLi per unit solid angle for the direction from ref that meets the light's
 ///       primitive at p, where its normal is n.

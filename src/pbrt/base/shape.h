@@ -58,8 +58,8 @@ struct ShapeTraits {
     /// Is intersected by its own code (SelfIntersectingShape), which the ray tracer calls for it.
     /// A shape without it needs code in the ray tracer: accel/native.h.
     bool intersectsItself = false;
-    /// Has a member `Transform renderFromObject`, and intersects itself in object space. Without it
-    /// rays come in rendering space.
+    /// Is one primitive with a member `Transform renderFromObject`, and intersects itself in object
+    /// space. Without it rays come in rendering space.
     bool hasObjectSpace = false;
     /// Has SurfacesAt (WideShape), which is faster than SurfaceAt in turns from this many rays on.
     /// 0: it has none, and its hits are worked out one by one.
@@ -139,6 +139,11 @@ concept SelfIntersectingShape = requires(const S s, uint32_t primitive, const Ra
     { s.Intersect(primitive, ray) } -> std::same_as<std::optional<PrimitiveHit>>;
 };
 
+template <typename S>
+concept ShapeInObjectSpace = requires(const S s) {
+    { s.renderFromObject } -> std::same_as<const Transform &>;
+};
+
 /// A shape with fewestWide > 0.
 ///   bool IsWide<kWithTangents>() const
 ///       whether SurfacesAt does for this shape.
@@ -161,9 +166,9 @@ template <typename S>
 consteval bool AnnouncesItsMembers() {
     constexpr ShapeTraits kTraits = S::kTraits;
     constexpr bool emits = EmittingShape<S>, intersects = SelfIntersectingShape<S>,
-                   isWide = WideShape<S>;
+                   isPlaced = ShapeInObjectSpace<S>, isWide = WideShape<S>;
     return (kTraits.canEmit || !emits) && (kTraits.intersectsItself || !intersects) &&
-           (kTraits.fewestWide > 0 || !isWide);
+           (kTraits.hasObjectSpace || !isPlaced) && (kTraits.fewestWide > 0 || !isWide);
 }
 
 /// The whole contract: BasicShape, what the traits announce, and nothing that they do not.
@@ -172,6 +177,7 @@ template <typename S>
 concept ShapeType = BasicShape<S> &&
     (EmittingShape<S> || !S::kTraits.canEmit) &&
     (SelfIntersectingShape<S> || !S::kTraits.intersectsItself) &&
+    (ShapeInObjectSpace<S> || !S::kTraits.hasObjectSpace) &&
     (WideShape<S> || S::kTraits.fewestWide == 0) &&
     AnnouncesItsMembers<S>();
 // clang-format on
@@ -182,6 +188,7 @@ struct ShapeContract {
     static constexpr bool value = [] {
         if constexpr (S::kTraits.canEmit) static_assert(EmittingShape<S>);
         if constexpr (S::kTraits.intersectsItself) static_assert(SelfIntersectingShape<S>);
+        if constexpr (S::kTraits.hasObjectSpace) static_assert(ShapeInObjectSpace<S>);
         if constexpr (S::kTraits.fewestWide > 0) static_assert(WideShape<S>);
         static_assert(AnnouncesItsMembers<S>());
         return ShapeType<S>;

@@ -21,7 +21,7 @@ using LightTypes = TypeList<DiffuseAreaLight, PointLight, SpotLight, DistantLigh
                             UniformInfiniteLight, ImageInfiniteLight>;
 using Light = LightTypes::Variant;
 
-static_assert(LightTypes::All<LightContract>);
+static_assert(LightTypes::All([]<typename L>() { return LightContract<L>::value; }));
 
 /// Makes what `LightSource "type"` describes. nullopt after an error (in the log). Reports unread
 /// parameters.

@@ -21,7 +21,7 @@ namespace pbrt {
 using ShapeTypes = TypeList<TriangleMesh, BilinearMesh, Sphere, Disk, Cylinder, CurveSet>;
 using Shape = ShapeTypes::Variant;
 
-static_assert(ShapeTypes::All<ShapeContract>);
+static_assert(ShapeTypes::All([]<typename S>() { return ShapeContract<S>::value; }));
 
 /// What a scene may name: the shapes, and files of them.
 using ShapeDirectives = ShapeTypes::Append<PlyFile>;

@@ -16,10 +16,6 @@ struct TypeList {
     /// The list with more types behind.
     template <typename... Us>
     using Append = TypeList<Ts..., Us...>;
-    /// True if Is<T>::value for every type. Where Is<T> constrains T by a family's concept, a type
-    /// that breaks the contract is an error which names the member.
-    template <template <typename> typename Is>
-    static constexpr bool All = (Is<Ts>::value && ...);
     /// The place of T, as Variant's index() gives it.
     template <typename T>
     static constexpr size_t kIndexOf = [] {
