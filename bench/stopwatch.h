@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pbrt::bench {
@@ -25,13 +26,15 @@ class Stopwatch {
     void Add(const std::string &name, int calls, std::function<double()> run) {
         entries.push_back({name, calls, std::move(run), 1e30});
     }
-    void Run(int rounds) {
+    /// `passes`: runs of each in a round; the first of several warms the caches.
+    void Run(int rounds, int passes = 1) {
         for (int r = 0; r < rounds; ++r)
-            for (Entry &e : entries) {
-                const double start = ThreadSeconds();
-                sink = sink + e.run();
-                e.seconds = std::min(e.seconds, ThreadSeconds() - start);
-            }
+            for (Entry &e : entries)
+                for (int pass = 0; pass < passes; ++pass) {
+                    const double start = ThreadSeconds();
+                    sink = sink + e.run();
+                    e.seconds = std::min(e.seconds, ThreadSeconds() - start);
+                }
     }
     double Nanoseconds(const std::string &name) const {
         const auto e = std::find_if(entries.begin(), entries.end(),

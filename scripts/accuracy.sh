@@ -10,16 +10,16 @@ cd "$root"
 .venv/bin/python -c 'import matplotlib' 2>/dev/null || .venv/bin/pip --quiet install matplotlib
 
 [ -f build/build.ninja ] || cmake --preset release
-cmake --build build --target bsdftool bench_sampling
+cmake --build build --target bench_feather bench_sampling
 
 mkdir -p docs/accuracy
 feather='Material "featherbarbule"'
-build/bin/bsdftool bench "$feather" --rounds 200 --pairs 2000 --csv docs/accuracy/default.csv
-build/bin/bsdftool bench "$feather \"float spacing\" 2.5" --rounds 1 --pairs 1000 \
+build/bin/bench_feather "$feather" --rounds 200 --pairs 2000 --csv docs/accuracy/default.csv
+build/bin/bench_feather "$feather \"float spacing\" 2.5" --rounds 1 --pairs 1000 \
   --csv docs/accuracy/sparse.csv
-build/bin/bsdftool bench "$feather \"float thickness\" 2000" --rounds 1 --pairs 1000 \
+build/bin/bench_feather "$feather \"float thickness\" 2000" --rounds 1 --pairs 1000 \
   --csv docs/accuracy/thick.csv
-build/bin/bsdftool bench "$feather \"float opening\" 0.6" --rounds 1 --pairs 1000 \
+build/bin/bench_feather "$feather \"float opening\" 0.6" --rounds 1 --pairs 1000 \
   --csv docs/accuracy/bent.csv
 build/bin/bench_sampling scenes/dove-swatch/dove-swatch.pbrt >docs/accuracy/sampling.csv
 .venv/bin/python scripts/accuracy.py

@@ -28,7 +28,7 @@ double FollowPaths(const RenderScene &world, const Each &each) {
     double sum = 0;
     for (int k = 0; k < kPaths; ++k) {
         const Point2f film{rng.Uniform() * resolution.x, rng.Uniform() * resolution.y};
-        Ray ray = world.camera.GenerateRay(film, {0.5f, 0.5f}, 0);
+        Ray ray = GenerateRay(world.camera, film, {0.5f, 0.5f}, 0);
         for (int bounce = 0; bounce <= kMaxBounces; ++bounce) {
             Hit hit;
             if (!each(ray, &hit)) break;
@@ -168,7 +168,7 @@ int Main(int argc, char **argv) {
     Diagnostics log;
     SceneDescription scene;
     ParseFiles({argv[1]}, scene, log);
-    const std::unique_ptr<RenderScene> world = BuildScene(scene, {}, log);
+    const std::unique_ptr<RenderScene> world = BuildScene(std::move(scene), {}, log);
     for (const Message &m : log.Messages())
         std::fprintf(stderr, "%s\n", m.text.c_str());
     if (!world) return 1;

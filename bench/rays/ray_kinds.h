@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "pbrt/build/render_scene.h"
+#include "pbrt/lights/light_sampler.h"
 #include "pbrt/util/rng.h"
 #include "pbrt/util/sampling.h"
 
@@ -53,7 +54,7 @@ class RayKinds {
             for (int k = 0; k < kSamples; ++k) {
                 const Point2f in = rng.Uniform2D(), lens = rng.Uniform2D();
                 const Point2f film{corner.x + pixel % 4 + in.x, corner.y + pixel / 4 + in.y};
-                rays.push_back(world.camera.GenerateRay(film, lens, rng.Uniform()));
+                rays.push_back(GenerateRay(world.camera, film, lens, rng.Uniform()));
             }
         for (int step = 0; step <= kMaxBounces; ++step) {
             (step == 0 ? camera : bounce).Append(rays);

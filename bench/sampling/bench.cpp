@@ -26,7 +26,7 @@ RenderTask Load(const char *fileName, int spp, int seed) {
     Overrides overrides;
     overrides.spp = spp;
     overrides.film.quick = true;
-    std::optional<RenderTask> task = MakeRenderTask(description, overrides, log);
+    std::optional<RenderTask> task = MakeRenderTask(std::move(description), overrides, log);
     for (const Message &m : log.Messages())
         std::fprintf(stderr, "%s\n", m.text.c_str());
     if (!task) std::exit(1);
@@ -34,11 +34,11 @@ RenderTask Load(const char *fileName, int spp, int seed) {
 }
 
 /// Renders on this thread.
-template <typename Scattering>
-Image RenderAlone(const RenderScene &scene, const PathSettings &settings) {
+Image RenderAlone(const RenderScene &scene, const PathSettings &settings,
+                  std::span<const ShadeGroup> groups) {
     std::unique_ptr<Tracer> tracer =
         Dispatch(scene.sampler, [&]<typename S>(const S &sampler) -> std::unique_ptr<Tracer> {
-            return std::make_unique<BatchTracer<S, Scattering>>(scene, settings, sampler);
+            return std::make_unique<BatchTracer<S>>(scene, settings, sampler, groups);
         });
     const int spp = Dispatch(scene.sampler, [](const auto &s) { return s.SamplesPerPixel(); });
     RayCounts rays;
@@ -69,16 +69,15 @@ double RelativeError(const Image &image, const Image &reference) {
     return std::sqrt(squares / double(values.size())) / (sum / double(values.size()));
 }
 
-template <typename Scattering>
 void Measure(const char *fileName, const char *way, LightStrategy strategy,
-             const Image &reference) {
+             std::span<const ShadeGroup> groups, const Image &reference) {
     for (int spp = 1; spp <= kMostSamples; spp *= 4) {
         const RenderTask task = Load(fileName, spp, 0);
         PathSettings settings;
         settings.strategy = strategy;
         settings.Preprocess(*task.scene);
         const double start = ThreadSeconds();
-        const Image image = RenderAlone<Scattering>(*task.scene, settings);
+        const Image image = RenderAlone(*task.scene, settings, groups);
         const double seconds = ThreadSeconds() - start;
         std::printf("%s,%d,%.4g,%.4g\n", way, spp, seconds, RelativeError(image, reference));
         std::fflush(stdout);
@@ -91,9 +90,10 @@ void Run(const char *fileName, int referenceSamples) {
     Render(
         task, 0, [](int64_t, int64_t) { return true; }, &reference);
     std::printf("way,spp,seconds,rms_error\n");
-    Measure<DefaultScattering>(fileName, "model", LightStrategy::Both, reference);
-    Measure<FeathersByCosine>(fileName, "cosine lobe", LightStrategy::Both, reference);
-    Measure<DefaultScattering>(fileName, "lights only", LightStrategy::LightsOnly, reference);
+    static constexpr auto byCosine = ShadeGroupsOf<FeathersByCosine>();
+    Measure(fileName, "model", LightStrategy::Both, ShadeGroups(), reference);
+    Measure(fileName, "cosine lobe", LightStrategy::Both, byCosine, reference);
+    Measure(fileName, "lights only", LightStrategy::LightsOnly, ShadeGroups(), reference);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pbrt/integrators/path/surface_vertices.h"
+#include "pbrt/integrators/path/shade_groups_of.h"
 #include "pbrt/util/sampling.h"
 
 namespace pbrt::bench {
@@ -9,6 +9,7 @@ namespace pbrt::bench {
 /// its fraction of light, else nine in ten about the normal on wo's side, the rest on the other.
 class CosineLobe {
   public:
+    static constexpr BxDFTraits kTraits{};
     explicit CosineLobe(const FeatherBarbuleBxDF &feather) : feather(feather) {}
 
     BxDFFlags Flags() const { return feather.Flags(); }
@@ -41,13 +42,15 @@ class CosineLobe {
     FeatherBarbuleBxDF feather;
 };
 
-/// For Vertices: feathers are drawn by the cosine lobe, all else as it is.
+/// For ShadeGroupsOf: feathers are drawn by the cosine lobe, all else as it is.
 struct FeathersByCosine : DefaultScattering {
-    using DefaultScattering::At;
-    static CosineLobe At(const FeatherBarbuleMaterial &feather, const TextureEvalContext &ctx,
-                         SampledWavelengths &lambda) {
+    using DefaultScattering::PacketInputAt;
+    static CosineLobe PacketInputAt(const FeatherBarbuleMaterial &feather,
+                                    const TextureEvalContext &ctx, SampledWavelengths &lambda) {
         return CosineLobe(feather.GetBxDF(ctx, lambda));
     }
+    template <MaterialType M>
+    using BxDF = std::conditional_t<std::same_as<M, FeatherBarbuleMaterial>, CosineLobe, BxDFOf<M>>;
 };
 
 }  // namespace pbrt::bench

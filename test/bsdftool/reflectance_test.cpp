@@ -1,7 +1,6 @@
 #include "pbrt/bsdftool/reflectance.h"
 
 #include "bsdftool/tool_test.h"
-#include "pbrt/bsdftool/axis.h"
 
 namespace pbrt::bsdftool {
 namespace {
@@ -111,13 +110,6 @@ TEST_F(Reflectance, WritesTableAndPlot) {
     const float *left = png.Pixel({200, 550}), *right = png.Pixel({700, 550});
     EXPECT_GT(left[1], 1.5f * std::max(left[0], left[2]));
     EXPECT_GT(std::min(right[0], right[2]), 1.5f * right[1]);
-}
-
-TEST(Axis, TicksAreRoundNumbers) {
-    EXPECT_EQ((Axis{0, 0.34, 100, 0}.Ticks(6)), (std::vector<double>{0, 0.1, 0.2, 0.1 * 3}));
-    EXPECT_EQ((Axis{360, 830, 0, 1}.Ticks(9)).front(), 400);
-    EXPECT_EQ((Axis{-1, 1, 0, 1}.Ticks(4)), (std::vector<double>{-1, -0.5, 0, 0.5, 1}));
-    EXPECT_EQ((Axis{-1, 1, 10, 20}.At(0)), 15);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "pbrt/bxdfs/bxdf.h"
+#include "pbrt/base/bxdf.h"
 #include "pbrt/util/rng.h"
 #include "pbrt/util/sampling.h"
 
@@ -23,11 +23,6 @@ struct BxDFCase {
 
     friend std::ostream &operator<<(std::ostream &out, const BxDFCase &c) { return out << c.name; }
 };
-
-/// The cases on which every law is tested. To test another type, specialise this and add the type
-/// to BxDFTypes.
-template <typename B>
-std::vector<BxDFCase<B>> CasesOf();
 
 /// Unit directions on both sides: cosine-distributed ones, the same for every type, and a grazing
 /// one.

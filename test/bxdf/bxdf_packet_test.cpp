@@ -5,9 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "feather/model.h"
-#include "pbrt/bxdfs/conductor.h"
-#include "pbrt/bxdfs/feather_packet.h"
-#include "pbrt/bxdfs/hair.h"
+#include "pbrt/bxdfs/conductor_bxdf.h"
+#include "pbrt/bxdfs/diffuse_bxdf.h"
+#include "pbrt/bxdfs/feather_barbule_packet.h"
+#include "pbrt/bxdfs/hair_bxdf.h"
 #include "pbrt/util/rng.h"
 
 namespace pbrt {
@@ -20,22 +21,22 @@ Vector3fX16 AnyDirections(Rng &rng) {
     return w;
 }
 
-/// Every mask of eight bits twice over, other directions for each. Lane: what BxDFPacket is of.
+/// Every mask of eight bits twice over, other directions for each. `make` gives a packet's input.
 struct Tolerances {
     float f = 1e-5f;  ///< relative
     /// Of sampled directions and, relative, of their densities.
     float wi = 1e-6f, pdf = 1e-5f;
 };
-template <typename BxDF, typename OfLane = BxDF, typename Make>
+template <BxDFType BxDF, typename Make>
 void ExpectAlike(const Make &make, const Tolerances &least = {}) {
     Rng rng(1);
     for (LaneBits half = 1; half < 256; ++half) {
         const LaneBits active = half | half << 8;
         std::array<std::optional<BxDF>, kPacketSize> single;
-        BxDFPacket<OfLane> lanes;
+        BxDFPacket<BxDF> lanes;
         ForEachLane(active, [&](int i) {
             single[size_t(i)].emplace(make(i));
-            lanes.Set(i, OfLane(make(i)));
+            lanes.Set(i, make(i));
         });
         const Vector3fX16 wo = AnyDirections(rng), wi = AnyDirections(rng);
         Point2fX16 u;
@@ -95,7 +96,7 @@ TEST(BxDFPacket, HairsAreAsOneByOne) {
 // TRT's inverses are rough; see Lanes in test/feather. A point of a facet is found by a root, which
 // makes 2.4e-4 of a rounding where it vanishes, and a mirror doubles that.
 TEST(BxDFPacket, FeathersAreNearlyAsOneByOne) {
-    ExpectAlike<FeatherBarbuleBxDF, FeatherSurface>(
+    ExpectAlike<FeatherBarbuleBxDF>(
         [](int i) {
             const feather::Shape shape{.thickness = 500 + 20. * i,
                                        .spacing = i % 2 ? 2.5 : 1.25,

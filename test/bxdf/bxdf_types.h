@@ -4,19 +4,44 @@
 
 #include "bxdf/bxdf_case.h"
 #include "feather/model.h"
-#include "pbrt/bxdfs/coated_diffuse.h"
-#include "pbrt/bxdfs/conductor.h"
-#include "pbrt/bxdfs/dielectric.h"
-#include "pbrt/bxdfs/diffuse.h"
-#include "pbrt/bxdfs/diffuse_transmission.h"
-#include "pbrt/bxdfs/feather_barbule.h"
-#include "pbrt/bxdfs/hair.h"
+#include "materials/material_examples.h"
 
 namespace pbrt::test {
 
-/// Every BxDF there is.
-using BxDFTypes = testing::Types<DiffuseBxDF, ConductorBxDF, DielectricBxDF, HairBxDF,
-                                 DiffuseTransmissionBxDF, CoatedDiffuseBxDF, FeatherBarbuleBxDF>;
+namespace detail {
+template <typename List>
+struct BxDFTypesOf;
+template <typename... Ms>
+struct BxDFTypesOf<TypeList<Ms...>> {
+    using Types = testing::Types<BxDFOf<Ms>...>;
+    /// Calls visit with the type of each material whose BxDF is B.
+    template <typename B, typename F>
+    static void ForMaterialsOf(F visit) {
+        (
+            [&]<typename M>() {
+                if constexpr (std::same_as<BxDFOf<M>, B>) visit.template operator()<M>();
+            }.template operator()<Ms>(),
+            ...);
+    }
+};
+}  // namespace detail
+
+/// Every BxDF there is: those of the materials.
+using BxDFTypes = detail::BxDFTypesOf<MaterialTypes>::Types;
+
+/// The cases on which every law is tested. In general the BxDFs of the examples of their materials
+/// (kExamples), with the claims of BxDFCase's defaults. Specialised below for types about which
+/// more is claimed, or which have cases that no parameters reach.
+template <typename B>
+std::vector<BxDFCase<B>> CasesOf() {
+    std::vector<BxDFCase<B>> cases;
+    detail::BxDFTypesOf<MaterialTypes>::ForMaterialsOf<B>([&]<typename M>() {
+        static const std::vector<MaterialExample> examples = MaterialExamples<M>();
+        for (const MaterialExample &e : examples)
+            cases.push_back({e.text, BxDFAt<M>(e)});
+    });
+    return cases;
+}
 
 inline SampledSpectrum Spectral(float a, float b, float c, float d) {
     return SampledSpectrum(std::array<float, 4>{a, b, c, d});

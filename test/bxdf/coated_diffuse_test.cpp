@@ -2,11 +2,11 @@
 
 #include <string>
 
-#include "pbrt/bxdfs/coated_diffuse.h"
+#include "pbrt/bxdfs/coated_diffuse_bxdf.h"
 
 #include <gtest/gtest.h>
 
-#include "pbrt/bxdfs/dielectric.h"
+#include "pbrt/bxdfs/dielectric_bxdf.h"
 #include "pbrt/util/rng.h"
 
 namespace pbrt::test {

@@ -7,7 +7,7 @@
 
 #include "bxdf/kronecker.h"
 #include "feather/model.h"
-#include "pbrt/bxdfs/feather_barbule.h"
+#include "pbrt/bxdfs/feather_barbule_bxdf.h"
 #include "pbrt/util/rng.h"
 #include "pbrt/util/sampling.h"
 

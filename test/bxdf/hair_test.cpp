@@ -1,4 +1,4 @@
-#include "pbrt/bxdfs/hair.h"
+#include "pbrt/bxdfs/hair_bxdf.h"
 
 #include <gtest/gtest.h>
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "feather/model.h"
+#include "feather/trt_error.h"
 #include "support/quadrature.h"
 
 namespace pbrt::feather {
@@ -165,37 +166,22 @@ TEST(Barbule, SampleAgreesWithFAndPdf) {
     }
 }
 
-/// Errors of TRT rms, relative to its mean over pairs of directions of the upper hemisphere: of the
-/// light in it (times both cosines, what a picture sees), and of f.
-struct PigmentError {
-    double light, f;
-};
-
 template <std::floating_point T>
-PigmentError MeasurePigment(const Shape &shape, int pairs) {
+TRTError MeasurePigment(const Shape &shape, int pairs) {
     const auto fast = BarbuleOf<T>(shape);
     const auto exact = BarbuleOf<double, Converged<3, 4>>(shape);
     Dice dice(35);
-    PigmentError off{}, mean{};
+    TRTErrorSum sum;
     for (int k = 0; k < pairs; ++k) {
         const Direction<double> wo = dice.OnUpperHemisphere(), wi = dice.OnUpperHemisphere();
-        const auto a = fast.TRT(fast.SeenFrom(Rounded<T>(wo)), Rounded<T>(wi));
-        const auto b = exact.TRT(exact.SeenFrom(wo), wi);
-        const double cosines = wo.z * wi.z;
-        for (int i = 0; i < 4; ++i) {
-            const double d = a[i] - b[i];
-            off.f += d * d;
-            off.light += d * d * cosines * cosines;
-            mean.f += b[i];
-            mean.light += b[i] * cosines;
-        }
+        sum.Add(wo, wi, fast.TRT(fast.SeenFrom(Rounded<T>(wo)), Rounded<T>(wi)),
+                exact.TRT(exact.SeenFrom(wo), wi));
     }
-    const double n = 4.0 * pairs;
-    return {std::sqrt(off.light / n) / (mean.light / n), std::sqrt(off.f / n) / (mean.f / n)};
+    return sum.Relative().value();
 }
 
 TEST(Barbule, PigmentIntegralIsAccurate) {
-    const PigmentError defaults = MeasurePigment<float>({}, 1500);
+    const TRTError defaults = MeasurePigment<float>({}, 1500);
     EXPECT_LT(defaults.light, 0.003);
     EXPECT_LT(defaults.f, 0.006);
     for (const Shape &shape : kShapes) {

@@ -2,6 +2,7 @@
 
 #include "grow_test.h"
 #include "pbrt/feathergen/vane_grid.h"
+#include "pbrt/materials/materials.h"
 #include "pbrt/util/rng.h"
 
 namespace pbrt::feathergen {
@@ -40,7 +41,7 @@ class Frames : public Grown {
         if (!in.accel->Intersect(ray, &hit)) return {};
         const Geometry &geometry = in.geometries[hit.geometry];
         const auto *vane =
-            std::get_if<FeatherBarbuleMaterial>(&in.materials[size_t(geometry.material)]);
+            std::get_if<FeatherBarbuleMaterial>(&in.materials.Data()[geometry.material]);
         if (!vane) return {};
         Met met{in.SurfaceAt(hit, ray), {}};
         const VaneGrid grid(*feather);

@@ -33,7 +33,7 @@ class Grown : public TempFolder {
         ParseString(
             "WorldBegin\nLightSource \"infinite\"\n" + before + "Include \"" + Path(name) + "\"\n",
             "test.pbrt", folder.string(), scene, log);
-        std::unique_ptr<RenderScene> world = BuildScene(scene, {}, log);
+        std::unique_ptr<RenderScene> world = BuildScene(std::move(scene), {}, log);
         for (const Message &m : log.Messages())
             ADD_FAILURE() << m.text;
         return world;

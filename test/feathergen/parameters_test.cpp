@@ -15,7 +15,7 @@ namespace {
 
 TEST(Parameters, TableIsSound) {
     std::set<std::string_view> names;
-    for (const ParameterRow &row : ParameterTable()) {
+    for (const FloatParam &row : ParameterTable()) {
         EXPECT_TRUE(names.insert(row.name).second) << row.name;
         EXPECT_LE(row.lo, row.def) << row.name;
         EXPECT_LE(row.def, row.hi) << row.name;
@@ -25,7 +25,7 @@ TEST(Parameters, TableIsSound) {
     EXPECT_EQ(sizeof(Parameters), names.size() * sizeof(double));
     for (const Preset &preset : Presets())
         for (const Preset::Change &change : preset.changes)
-            for (const ParameterRow &row : ParameterTable())
+            for (const FloatParam &row : ParameterTable())
                 EXPECT_TRUE(row.value != change.value ||
                             (change.to >= row.lo && change.to <= row.hi));
 }
@@ -137,7 +137,7 @@ TEST_F(CommandLine, DamagedParametersAreReadOrRefused) {
         Parameters parameters;
         const std::string problem = FromJson(Damaged(good, random), &parameters);
         EXPECT_TRUE(problem.empty() || parameters == Parameters());
-        for (const ParameterRow &row : ParameterTable())
+        for (const FloatParam &row : ParameterTable())
             EXPECT_TRUE(parameters.*row.value >= row.lo && parameters.*row.value <= row.hi);
     }
 }
@@ -152,7 +152,7 @@ TEST_F(CommandLine, AllFilesOrNone) {
 
 TEST_F(CommandLine, HelpListsEveryParameter) {
     const std::string help = Succeed({"--help"});
-    for (const ParameterRow &row : ParameterTable())
+    for (const FloatParam &row : ParameterTable())
         EXPECT_NE(help.find(row.name), std::string::npos) << row.name;
     EXPECT_NE(Succeed({"help", "neck"}).find("--surface"), std::string::npos);
 }

@@ -1,22 +1,47 @@
 #include "pbrt/filters/filters.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include "pbrt/scene/description.h"
 
 namespace pbrt {
 namespace {
 
+/// With the parameters of a directive that is read without a message.
+template <typename F>
+F Made(std::string_view parameters) {
+    Diagnostics log;
+    SceneDescription scene;
+    const std::string text = fmt::format("PixelFilter \"{}\" {} WorldBegin", F::kName, parameters);
+    ParseString(text, "test.pbrt", "", scene, log);
+    ParamDict params(scene.filter.params, {}, "filter", nullptr, &log);
+    const std::optional<Filter> filter = CreateFilter(params, F::kName);
+    EXPECT_TRUE(log.Messages().empty()) << text;
+    return std::get<F>(*filter);
+}
+
+/// The type's examples, and at other radii.
 template <typename F>
 std::vector<F> CasesOf() {
-    std::vector<F> filters{F()};
-    for (Vector2f radius : {Vector2f{1, 1}, {0.5f, 3}, {2.5f, 0.75f}, {8, 8}})
-        filters.push_back(F(radius));
+    std::vector<F> filters;
+    for (const std::string_view example : F::kExamples)
+        filters.push_back(Made<F>(example));
+    if constexpr (std::is_constructible_v<F, Vector2f>)
+        for (Vector2f radius : {Vector2f{1, 1}, {0.5f, 3}, {2.5f, 0.75f}, {8, 8}})
+            filters.push_back(F(radius));
     return filters;
 }
 
 template <typename F>
 class EveryFilter : public testing::Test {};
-using Types = testing::Types<BoxFilter, GaussianFilter, MitchellFilter, SincFilter, TriangleFilter>;
-TYPED_TEST_SUITE(EveryFilter, Types);
+template <typename List>
+struct TypesOf;
+template <typename... Fs>
+struct TypesOf<TypeList<Fs...>> {
+    using Types = testing::Types<Fs...>;
+};
+TYPED_TEST_SUITE(EveryFilter, TypesOf<FilterTypes>::Types);
 
 TYPED_TEST(EveryFilter, IsEvenAndZeroBeyondItsRadius) {
     for (const TypeParam &f : CasesOf<TypeParam>()) {

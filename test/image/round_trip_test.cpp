@@ -281,5 +281,17 @@ TEST(ColorEncoding, KnownValues) {
     EXPECT_NEAR((ColorEncoding{ColorEncoding::Kind::Gamma, 2}.ToLinear(0.5f)), 0.25f, 1e-7f);
 }
 
+TEST(SRGBTransfer, RoundTripsAndMeetsTheStandard) {
+    const ColorEncoding sRGB{ColorEncoding::Kind::sRGB};
+    for (int i = 0; i <= 1000; ++i) {
+        const float v = i / 1000.f;
+        EXPECT_NEAR(sRGB.ToLinear(sRGB.FromLinear(v)), v, 1e-6f);
+    }
+    EXPECT_EQ(sRGB.FromLinear(0), 0);
+    EXPECT_NEAR(sRGB.FromLinear(1), 1, 1e-6);
+    EXPECT_NEAR(sRGB.FromLinear(0.0031308f), 0.04045f, 1e-5f);
+    EXPECT_NEAR(sRGB.ToLinear(0.5f), 0.21404f, 1e-5f);
+}
+
 }  // namespace
 }  // namespace pbrt

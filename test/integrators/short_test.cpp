@@ -148,7 +148,7 @@ TEST(AmbientOcclusion, NeedsNoLightAndWarnsOfNone) {
         Diagnostics log;
         SceneDescription description;
         ParseString(Picture(integrator, kFloorAndBall), "test.pbrt", ".", description, log);
-        EXPECT_TRUE(MakeRenderTask(description, {}, log));
+        EXPECT_TRUE(MakeRenderTask(std::move(description), {}, log));
         return log.Messages().size();
     };
     EXPECT_EQ(warnings("\"ambientocclusion\""), 0u);

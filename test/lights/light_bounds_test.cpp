@@ -35,8 +35,8 @@ TEST(DirectionCones, UnionIsTight) {
                              std::cos(Radians(half))};
     };
     const DirectionCone u = Union(cone(0, 10), cone(50, 20));
-    EXPECT_NEAR(Degrees(std::acos(u.cosTheta)), 40, 1e-3);
-    EXPECT_NEAR(Degrees(AngleBetween(u.axis, cone(30, 0).axis)), 0, 1e-3);
+    EXPECT_NEAR(std::acos(u.cosTheta), Radians(40), Radians(1e-3f));
+    EXPECT_NEAR(AngleBetween(u.axis, cone(30, 0).axis), 0, Radians(1e-3f));
     EXPECT_EQ(Union(cone(0, 30), cone(10, 5)).cosTheta, cone(0, 30).cosTheta);
     EXPECT_EQ(Union(cone(0, 100), cone(180, 90)).cosTheta, -1);
 }

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -32,14 +33,14 @@ inline Image ExampleSky() {
     return image;
 }
 
-/// A folder with that picture, "sky.exr".
+/// A folder with that picture, "example.exr".
 class SkyFolder {
   public:
     SkyFolder()
         : folder(std::filesystem::path(testing::TempDir()) /
                  ("pbrt-sky-" + std::to_string(getpid()))) {
         std::filesystem::create_directories(folder);
-        EXPECT_EQ(WriteImage(ExampleSky(), (folder / "sky.exr").string(), ExrPixels::Float),
+        EXPECT_EQ(WriteImage(ExampleSky(), (folder / "example.exr").string(), ExrPixels::Float),
                   std::nullopt);
     }
     ~SkyFolder() { std::filesystem::remove_all(folder); }
@@ -52,35 +53,72 @@ class SkyFolder {
 /// Radius of the scene that all examples stand in, about 0.
 inline constexpr float kSceneRadius = 10;
 
-/// The lights of type L on which every law is tested: those of its kExamples, which it must have.
+/// What area lights stand on.
+inline constexpr std::array<std::string_view, 5> kEmitters{
+    R"(Shape "bilinearmesh" "point3 P" [ 0 0 0  2 0 0  0 1 0  2 1 0 ])",
+    R"(Translate 2 0 4 Shape "sphere")",
+    R"(ReverseOrientation Shape "trianglemesh" "point3 P" [ 0 0 0  2 0 0.5  0.3 1 0 ])",
+    R"(Shape "disk" "float alpha" 0.4)", R"(Shape "disk" "float alpha" 0)"};
+/// Where the others stand.
+inline constexpr std::array<std::string_view, 2> kLightPlaces{
+    "", "Translate 0 0 1 Rotate 50 1 2 -1 Scale 1 2 0.5"};
+
+namespace detail {
+
+inline ParamDict Params(const Entity &entity, std::string kind, const std::string &dir,
+                        Diagnostics *log) {
+    return ParamDict(entity.params, entity.loc, kind + entity.type, entity.colorSpace, log, dir);
+}
+
+/// The area lights of a text with one shape.
+inline void AddAreaLights(const std::string &text, Parsed &parsed, std::vector<LightCase> *cases) {
+    static constexpr FloatParam kAlpha{"alpha", "", 1, 0, 1, "coverage"};
+    const ShapeEntity entity = *parsed.scene.shapes.begin();
+    ParamDict shapeParams = Params(entity, "shape ", "", &parsed.log);
+    ParamDict own = Params(*entity.areaLight, "area light ", "", &parsed.log);
+    const float alpha = shapeParams.GetOneFloat(kAlpha);
+    for (Shape &shape : CreateShapes(entity, shapeParams, entity.worldFromObject[0])) {
+        const auto kept = std::make_shared<const Shape>(std::move(shape));
+        for (const Light &light : CreateAreaLights(entity.areaLight->type, own, *kept, alpha))
+            cases->push_back({text, kept, light});
+    }
+}
+
+/// The lights of a text, other than area lights.
+inline void AddLights(const std::string &text, const std::string &dir, Parsed &parsed,
+                      std::vector<LightCase> *cases) {
+    for (const LightEntity &entity : parsed.scene.lights) {
+        ParamDict own = Params(entity, "light ", dir, &parsed.log);
+        if (auto light = CreateLight(entity.type, own, entity.worldFromLight))
+            cases->push_back({text, nullptr, *light});
+    }
+}
+
+}  // namespace detail
+
+/// The lights of type L on which every law is tested: its examples, each in several places.
 template <typename L>
 std::vector<LightCase> CasesOf() {
     const SkyFolder folder;
+    const std::string name = "\"" + std::string(L::kName) + "\" ";
     std::vector<LightCase> cases;
-    for (const std::string_view text : L::kExamples) {
+    const auto add = [&](const std::string &text) {
         const auto parsed = ParseWorld(text, folder.Name());
-        const auto params = [&](const Entity &entity, const char *kind) {
-            return ParamDict(entity.params, entity.loc, std::string(kind) + entity.type,
-                             entity.colorSpace, &parsed->log, folder.Name());
-        };
-        if constexpr (L::kTraits.isArea) {
-            const ShapeEntity entity = *parsed->scene.shapes.begin();
-            ParamDict shapeParams = params(entity, "shape "), own = params(*entity.areaLight, "");
-            const float alpha = shapeParams.GetOneFloat("alpha", 1);
-            for (Shape &shape : CreateShapes(entity, shapeParams, entity.worldFromObject[0])) {
-                const auto kept = std::make_shared<const Shape>(std::move(shape));
-                for (const Light &light :
-                     CreateAreaLights(entity.areaLight->type, own, *kept, alpha))
-                    cases.push_back({std::string(text), kept, light});
-            }
-        } else {
-            for (const LightEntity &entity : parsed->scene.lights) {
-                ParamDict own = params(entity, "light ");
-                if (auto light = CreateLight(entity.type, own, entity.worldFromLight))
-                    cases.push_back({std::string(text), nullptr, *light});
-            }
-        }
+        const size_t before = cases.size();
+        if (L::kTraits.isArea)
+            detail::AddAreaLights(text, *parsed, &cases);
+        else
+            detail::AddLights(text, folder.Name(), *parsed, &cases);
         EXPECT_EQ(parsed->Messages(), Texts{}) << text;
+        EXPECT_GT(cases.size(), before) << text;
+    };
+    for (const std::string_view example : L::kExamples) {
+        if (L::kTraits.isArea)
+            for (const std::string_view emitter : kEmitters)
+                add("AreaLightSource " + name + std::string(example) + " " + std::string(emitter));
+        else
+            for (const std::string_view place : kLightPlaces)
+                add(std::string(place) + " LightSource " + name + std::string(example));
     }
     const float half = kSceneRadius / std::sqrt(3.f);
     for (LightCase &c : cases)

@@ -115,7 +115,7 @@ TEST(DistantLight, ArrivesParallelWithItsIlluminance) {
         EXPECT_EQ(li->wi, (Vector3f{0, 0, 1}));
         // Beyond everything in a scene of radius 10.
         EXPECT_GT(li->pLight.z, 13);
-        luminance += double((SafeDiv(li->L, lambda.PDF()) * spectra::Y().Sample(lambda)).Average());
+        luminance += double((li->L / lambda.PDF() * spectra::Y().Sample(lambda)).Average());
     }
     EXPECT_NEAR(luminance / 1000, 24, 0.02);
     EXPECT_NEAR(Power(s.Only()), Pi * 100 * 24, 1);

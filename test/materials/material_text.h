@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pbrt/materials/material.h"
+#include "pbrt/materials/materials.h"
 #include "textures/texture_scene.h"
 
 namespace pbrt::test {

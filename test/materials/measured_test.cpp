@@ -29,7 +29,7 @@ TEST_F(Measured, IndexAndPigmentOfASpectrometerAreTaken) {
             << m.Messages();
         const auto &feather = std::get<FeatherBarbuleMaterial>(*m.material);
         const auto lambda = SampledWavelengths::Of({400, 600, 701, 829});
-        const FeatherSurface surface = feather.GetSurface({}, lambda);
+        const FeatherSurface surface = feather.GetPacketInput({}, lambda);
         for (int i = 0; i < NSpectrumSamples; ++i)
             EXPECT_FLOAT_EQ(name == "eta" ? surface.optics.eta[i] : surface.optics.melanin[i],
                             std::stof(value));

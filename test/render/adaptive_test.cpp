@@ -41,7 +41,7 @@ Adapted RenderTo(const std::string &text, float targetError, int seed, int nThre
     ParseString(text, "test.pbrt", ".", description, log);
     Overrides overrides;
     overrides.targetError = targetError;
-    const auto task = MakeRenderTask(description, overrides, log);
+    const auto task = MakeRenderTask(std::move(description), overrides, log);
     EXPECT_TRUE(task);
     if (!task) return {};
     test::Rendered r = test::RenderAll(*task, nThreads);

@@ -22,13 +22,13 @@ TEST(Build, MaterialsThatSayTheSameAreOne) {
                 "test.pbrt", "", scene, log);
     ASSERT_EQ(log.ErrorCount(), 1);  // the undefined one
     log = {};
-    const std::unique_ptr<RenderScene> world = BuildScene(scene, {}, log);
+    const std::unique_ptr<RenderScene> world = BuildScene(std::move(scene), {}, log);
     ASSERT_TRUE(world);
     std::vector<int> materials;
     for (const Geometry &g : world->geometries)
         materials.push_back(g.material);
     EXPECT_EQ(materials, (std::vector<int>{1, 1, 2, 3, 4, 0}));  // 0: the default
-    EXPECT_EQ(world->materials.size(), 5u);
+    EXPECT_EQ(world->materials.Size(), 5u);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ class MissingUV : public TempFolder {
         SceneDescription scene;
         ParseString("WorldBegin LightSource \"infinite\"\n" + before + shape, "m.pbrt",
                     folder.string(), scene, log);
-        EXPECT_TRUE(BuildScene(scene, {}, log));
+        EXPECT_TRUE(BuildScene(std::move(scene), {}, log));
         std::string all;
         for (const Message &m : log.Messages())
             all += m.text + "\n";

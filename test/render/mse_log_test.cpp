@@ -22,7 +22,7 @@ constexpr char kScene[] =
 std::optional<RenderTask> Build(const std::string &text, Diagnostics &log) {
     SceneDescription description;
     ParseString(text, "test.pbrt", ".", description, log);
-    return MakeRenderTask(description, {}, log);
+    return MakeRenderTask(std::move(description), {}, log);
 }
 
 class Passes : public TempFolder {

@@ -55,7 +55,7 @@ RenderTask TaskOf(const std::string &text) {
     Diagnostics log;
     SceneDescription description;
     ParseString(text, "test.pbrt", ".", description, log);
-    auto task = MakeRenderTask(description, {}, log);
+    auto task = MakeRenderTask(std::move(description), {}, log);
     for (const Message &m : log.Messages())
         ADD_FAILURE() << m.text;
     return std::move(*task);
@@ -148,7 +148,7 @@ TEST(Pieces, ATargetErrorsCropIsThatPartOfTheImage) {
         ParseString(RandomScene(3, {48, 32}, film, 128), "test.pbrt", ".", description, log);
         Overrides overrides;
         overrides.targetError = 0.1f;
-        return RenderAll(*MakeRenderTask(description, overrides, log)).image;
+        return RenderAll(*MakeRenderTask(std::move(description), overrides, log)).image;
     };
     ExpectPartOf(render("\"integer pixelbounds\" [ 9 30 5 20 ]"), render(""), "target error");
 }

@@ -22,7 +22,7 @@ std::string Refusal(const std::string &text) {
     SceneDescription description;
     ParseString(text, "test.pbrt", ".", description, log);
     EXPECT_FALSE(log.HasErrors()) << text;
-    const auto task = MakeRenderTask(description, {}, log);
+    const auto task = MakeRenderTask(std::move(description), {}, log);
     EXPECT_EQ(!task, log.HasErrors());
     for (const Message &m : log.Messages())
         if (m.severity == Severity::Error) return m.text;

@@ -41,7 +41,7 @@ inline Image RenderText(const std::string &text, const RenderChanges &changes = 
     ParseString(text, "test.pbrt", dir, description, log);
     Overrides overrides;
     overrides.spp = changes.spp;
-    std::optional<RenderTask> task = MakeRenderTask(description, overrides, log);
+    std::optional<RenderTask> task = MakeRenderTask(std::move(description), overrides, log);
     for (const Message &m : log.Messages())
         if (m.severity == Severity::Error) ADD_FAILURE() << m.text;
     if (!task) return {};

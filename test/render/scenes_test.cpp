@@ -45,7 +45,7 @@ TEST_P(Scenes, LookLikeTheirReference) {
     Overrides overrides;
     overrides.spp = kSpp;
     overrides.film.quick = true;
-    const std::optional<RenderTask> task = MakeRenderTask(description, overrides, log);
+    const std::optional<RenderTask> task = MakeRenderTask(std::move(description), overrides, log);
     for (const Message &m : log.Messages())
         ADD_FAILURE() << m.text;
     ASSERT_TRUE(task);

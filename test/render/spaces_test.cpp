@@ -25,7 +25,7 @@ Camera CameraOf(const std::string &text) {
     SceneDescription scene;
     ParseString(text, "test.pbrt", ".", scene, log);
     EXPECT_FALSE(log.HasErrors());
-    return Camera::Create(scene, {32, 32}, log);
+    return CreateCamera(scene, {32, 32}, log);
 }
 
 TEST(RenderingSpace, IsTheWorldOrTheWorldMoved) {
@@ -37,12 +37,12 @@ TEST(RenderingSpace, IsTheWorldOrTheWorldMoved) {
             "{}LookAt {} {} {}  {} {} {}  {} {} {}\nCamera \"perspective\"\nWorldBegin\n",
             i % 2 ? "Scale -1 1 1\n" : "", eye.x, eye.y, eye.z, number(), number(), number(),
             number(), number(), number());
-        const Transform inWorld = CameraOf(In("world", camera)).RenderFromWorld();
-        EXPECT_TRUE(inWorld.IsIdentity());
+        const Transform inWorld = Placement(CameraOf(In("world", camera))).renderFromWorld;
+        EXPECT_TRUE(inWorld == Transform());
         const Camera moved = CameraOf(In("cameraworld", camera));
-        EXPECT_EQ(moved.RenderFromWorld(), Transform::Translate(-eye));
-        EXPECT_EQ(moved.RenderFromCamera().Point({}), Point3f{});
-        EXPECT_TRUE(CameraOf(In("camera", camera)).RenderFromCamera().IsIdentity());
+        EXPECT_EQ(Placement(moved).renderFromWorld, Transform::Translate(-eye));
+        EXPECT_EQ(Placement(moved).renderFromCamera.Point({}), Point3f{});
+        EXPECT_TRUE(Placement(CameraOf(In("camera", camera))).renderFromCamera == Transform());
     }
 }
 

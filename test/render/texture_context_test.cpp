@@ -12,7 +12,7 @@ std::unique_ptr<RenderScene> EmptyScene(const std::string &camera) {
     ParseString("LookAt 3 1 -4  0 0 0  0 1 0\n" + camera +
                     "\nSampler \"independent\" \"integer pixelsamples\" 9\nWorldBegin\n",
                 "test.pbrt", ".", scene, log);
-    return BuildScene(scene, {}, log);
+    return BuildScene(std::move(scene), {}, log);
 }
 
 /// One in four has parallel derivatives, which leave (du, dv) undetermined.
@@ -47,7 +47,7 @@ void ExpectLanesAsOneByOne(const RenderScene &world) {
             SetLane(&points, i, RandomPoint(rng));
         std::array<TextureEvalContext, kPacketSize> contexts;
         const LaneBits lanes = 0xbeef;
-        world.TextureContexts(points, lanes, &contexts);
+        world.TextureContexts(points, lanes, nullptr, &contexts);
         ForEachLane(lanes, [&](int i) {
             const TextureEvalContext a = contexts[size_t(i)];
             const TextureEvalContext b = world.TextureContext(Lane(points, i));

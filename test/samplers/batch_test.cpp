@@ -1,7 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "pbrt/samplers/samplers.h"
+#include "pbrt/samplers/batch_sampler.h"
 #include "pbrt/util/rng.h"
+#include "samplers/sampler_examples.h"
 
 namespace pbrt {
 namespace {
@@ -9,15 +10,11 @@ namespace {
 constexpr Point2i kResolution{300, 500};
 
 std::vector<Sampler> AllSamplers() {
-    return {IndependentSampler(16, 3),
-            StratifiedSampler(4, 4, true, 4),
-            StratifiedSampler(5, 3, true, -5),
-            StratifiedSampler(5, 3, false, 5),
-            StratifiedSampler(1, 1, true, 6),
-            ZSobolSampler(16, kResolution, Randomization::FastOwen, 7),
-            ZSobolSampler(1 << 20, kResolution, Randomization::Owen, 8),
-            ZSobolSampler(64, kResolution, Randomization::PermuteDigits, 9),
-            ZSobolSampler(1, {1, 1}, Randomization::None, 0)};
+    std::vector<Sampler> samplers{ZSobolSampler(1 << 20, kResolution, Randomization::Owen, 8),
+                                  ZSobolSampler(1, {1, 1}, Randomization::None, 0)};
+    for (const Sampler &example : SamplerExamples(kResolution, 7))
+        samplers.push_back(example);
+    return samplers;
 }
 
 std::vector<Point2i> Pixels(size_t n) {
@@ -30,9 +27,9 @@ std::vector<Point2i> Pixels(size_t n) {
 
 /// Draws of a batch and one by one, in random order of dimensions, pixels and samples; exactly.
 template <typename S>
-void ExpectSameNumbers(S sampler, const std::vector<Point2i> &pixels, uint64_t seed) {
+void ExpectSameNumbers(S alone, const std::vector<Point2i> &pixels, uint64_t seed) {
+    BatchSampler<S> sampler(alone);
     sampler.StartBatch(pixels);
-    S alone = sampler;
     Rng rng(seed);
     for (int round = 0; round < 60; ++round) {
         const int dimension = int(rng.Below(round < 30 ? 20 : 1000));
@@ -67,8 +64,8 @@ TEST(SamplerBatch, SameNumbersAsOneByOne) {
 TEST(SamplerBatch, ASecondBatchForgetsTheFirst) {
     for (Sampler &sampler : AllSamplers()) {
         std::visit(
-            [](auto &s) {
-                auto fresh = s;
+            []<typename S>(const S &sampler) {
+                BatchSampler<S> s(sampler), fresh = s;
                 s.StartBatch(Pixels(40));
                 s.Get2D(5, kLaneNumbers, UintX16{});
                 s.StartBatch(Pixels(20));
@@ -86,7 +83,8 @@ TEST(SamplerBatch, ASecondBatchForgetsTheFirst) {
 TEST(SamplerBatch, AnyIndexInLanesNotWanted) {
     for (Sampler &sampler : AllSamplers()) {
         std::visit(
-            [](auto &s) {
+            []<typename S>(const S &sampler) {
+                BatchSampler<S> s(sampler);
                 s.StartBatch(Pixels(16));
                 const UintX16 good{}, wild = Select(kLaneNumbers % 2 == 0, good, ~kLaneNumbers);
                 const FloatX16 a = s.Get1D(3, kLaneNumbers, good),
@@ -96,6 +94,28 @@ TEST(SamplerBatch, AnyIndexInLanesNotWanted) {
             },
             sampler);
     }
+}
+
+/// The adapter of samplers without batches, where their own can tell what is right.
+TEST(SamplerBatch, OneByOneGivesTheSameNumbers) {
+    const IndependentSampler sampler(16, 3);
+    const std::vector<Point2i> pixels = Pixels(20);
+    IndependentSampler own = sampler;
+    OneByOneSampler<IndependentSampler> oneByOne(sampler);
+    own.StartBatch(pixels);
+    oneByOne.StartBatch(pixels);
+    const UintX16 index = kLaneNumbers % 16;
+    for (const int dimension : {0, 3, 100}) {
+        const FloatX16 a = own.Get1D(dimension, kLaneNumbers, index),
+                       b = oneByOne.Get1D(dimension, kLaneNumbers, index);
+        const Point2fX16 p = own.Get2D(dimension, kLaneNumbers, index),
+                         q = oneByOne.Get2D(dimension, kLaneNumbers, index);
+        for (int i = 0; i < kPacketSize; ++i) {
+            EXPECT_EQ(a[i], b[i]);
+            EXPECT_EQ(Lane(p, i), Lane(q, i));
+        }
+    }
+    oneByOne.Get1D(0, kLaneNumbers, ~index);  // any index in lanes that are not wanted
 }
 
 }  // namespace

@@ -2,19 +2,19 @@
 
 #include <gtest/gtest.h>
 
+#include "samplers/sampler_examples.h"
+
 namespace pbrt {
 namespace {
 
 constexpr Point2i kResolution{100, 101};
 
 std::vector<Sampler> AllSamplers(int seed) {
-    return {IndependentSampler(16, seed),
-            StratifiedSampler(4, 4, true, seed),
-            StratifiedSampler(5, 3, true, seed),
-            StratifiedSampler(1, 1, true, seed),
-            ZSobolSampler(16, kResolution, Randomization::FastOwen, seed),
-            ZSobolSampler(32, kResolution, Randomization::Owen, seed),
-            ZSobolSampler(1, kResolution, Randomization::FastOwen, seed)};
+    std::vector<Sampler> samplers{StratifiedSampler(1, 1, true, seed),
+                                  ZSobolSampler(16, kResolution, Randomization::FastOwen, seed)};
+    for (const Sampler &example : SamplerExamples(kResolution, seed))
+        samplers.push_back(example);
+    return samplers;
 }
 
 std::vector<float> Draws(Sampler &sampler, Point2i pixel, int index) {
@@ -26,17 +26,13 @@ std::vector<float> Draws(Sampler &sampler, Point2i pixel, int index) {
                 if (i % 3 == 0) {
                     draws.push_back(s.Get1D());
                 } else {
-                    const Point2f p = i == 1 ? s.GetPixel2D() : s.Get2D();
+                    const Point2f p = s.Get2D();
                     draws.insert(draws.end(), {p.x, p.y});
                 }
             }
             return draws;
         },
         sampler);
-}
-
-int SamplesPerPixel(const Sampler &sampler) {
-    return std::visit([](const auto &s) { return s.SamplesPerPixel(); }, sampler);
 }
 
 TEST(Sampler, SameNumbersInAnyOrderAndFromACopy) {

@@ -34,7 +34,7 @@ TEST(Directives, WhatIsNotGivenHasNoType) {
     EXPECT_EQ(parsed->scene.camera.type, "");
     EXPECT_EQ(parsed->scene.transformStart, 0);
     EXPECT_EQ(parsed->scene.transformEnd, 1);
-    EXPECT_TRUE(parsed->scene.cameraFromWorld[0].IsIdentity());
+    EXPECT_TRUE(parsed->scene.cameraFromWorld[0] == Transform());
 }
 
 TEST(Directives, MaterialsAreCurrentUntilTheNext) {
@@ -141,7 +141,7 @@ TEST(Directives, ObjectsHoldShapesAndInstancesUseThem) {
     ASSERT_EQ(tree.instances.size(), 1u);
     EXPECT_EQ(tree.instances[0].worldFromInstance[0], Transform::Translate({1, 0, 0}));
     ASSERT_EQ(d.instances.size(), 2u);
-    EXPECT_TRUE(d.instances[0].worldFromInstance[0].IsIdentity());
+    EXPECT_TRUE(d.instances[0].worldFromInstance[0] == Transform());
     EXPECT_EQ(d.instances[1].worldFromInstance[0], *Transform::Scale({2, 2, 2}));
 }
 

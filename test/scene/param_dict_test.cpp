@@ -29,39 +29,62 @@ class Dict {
     ParamDict dict;
 };
 
+// Rows as plug-ins have them.
+
+constexpr FloatParam F(std::string_view name, float def = 0) {
+    return {name, "", def, -kOpen, kOpen, "a number"};
+}
+constexpr IntParam I(std::string_view name, int def = 0) {
+    return {name, def, kLeastInt, kMostInt, "a count"};
+}
+constexpr BoolParam B(std::string_view name, bool def = false) {
+    return {name, def, "a switch"};
+}
+constexpr StringParam S(std::string_view name, std::string_view def = "") {
+    return {name, def, "a word"};
+}
+constexpr PointParam P(std::string_view name, std::string_view type,
+                       std::array<float, 3> def = {}) {
+    return {name, type, def, "a place"};
+}
+constexpr SpectrumParam L(std::string_view name, SpectrumType role = SpectrumType::Illuminant) {
+    return {name, role, "", "a color"};
+}
+constexpr ArrayParam List(std::string_view name, std::string_view type) {
+    return {name, type, "none", "values"};
+}
+
 TEST(ParamDict, SingleValues) {
-    Dict d(R"("float f" 1.5 "integer i" 2 "bool b" true "string s" "x" "point2 p2" [ 1 2 ]
+    Dict d(R"("float f" 1.5 "integer i" 2 "bool b" true "string s" "x"
               "point3 p3" [ 1 2 3 ] "vector3 v3" [ 4 5 6 ] "texture t" "wood")");
-    EXPECT_EQ(d->GetOneFloat("f", 0), 1.5f);
-    EXPECT_EQ(d->GetOneInt("i", 0), 2);
-    EXPECT_TRUE(d->GetOneBool("b", false));
-    EXPECT_EQ(d->GetOneString("s", ""), "x");
-    EXPECT_EQ(d->GetOnePoint2f("p2", {}), (Point2f{1, 2}));
-    EXPECT_EQ(d->GetOnePoint3f("p3", {}), (Point3f{1, 2, 3}));
-    EXPECT_EQ(d->GetOneVector3f("v3", {}), (Vector3f{4, 5, 6}));
-    EXPECT_EQ(d->GetTexture("t"), "wood");
+    EXPECT_EQ(d->GetOneFloat(F("f", 0)), 1.5f);
+    EXPECT_EQ(d->GetOneInt(I("i", 0)), 2);
+    EXPECT_TRUE(d->GetOneBool(B("b", false)));
+    EXPECT_EQ(d->GetOneString(S("s", "")), "x");
+    EXPECT_EQ(d->GetOnePoint3f(P("p3", "point3")), (Point3f{1, 2, 3}));
+    EXPECT_EQ(d->GetOneVector3f(P("v3", "vector3")), (Vector3f{4, 5, 6}));
+    EXPECT_EQ(d->GetTexture(F("t")), "wood");
     d->ReportUnused();
     EXPECT_EQ(d.Messages(), Texts{});
 }
 
 TEST(ParamDict, DefaultsWhereNothingIsGiven) {
     Dict d("");
-    EXPECT_EQ(d->GetOneFloat("f", 7), 7);
-    EXPECT_EQ(d->GetOneFloat(FloatParam{"f", "", 7, 0, 10, ""}), 7);
-    EXPECT_EQ(d->GetOneInt("i", 7), 7);
-    EXPECT_EQ(d->GetOneInt("i", 7, 0, 10), 7);
-    EXPECT_TRUE(d->GetOneBool("b", true));
-    EXPECT_EQ(d->GetOneString("s", "def"), "def");
-    EXPECT_EQ(d->GetOnePoint2f("p", {1, 2}), (Point2f{1, 2}));
-    EXPECT_EQ(d->GetOnePoint3f("p", {1, 2, 3}), (Point3f{1, 2, 3}));
-    EXPECT_EQ(d->GetOneVector3f("p", {1, 2, 3}), (Vector3f{1, 2, 3}));
-    EXPECT_FALSE(d->GetOneSpectrum("L", SpectrumType::Illuminant));
-    EXPECT_FALSE(d->GetOneRGB("L"));
-    EXPECT_FALSE(d->GetTexture("t"));
-    EXPECT_EQ(d->GetFileName("filename", "pbrt.exr"), "pbrt.exr");
-    EXPECT_EQ(d->GetFileName("filename"), "");
-    EXPECT_TRUE(d->GetFloatArray("a").empty());
-    EXPECT_TRUE(d->GetPoint3fArray("a").empty());
+    EXPECT_EQ(d->GetOneFloat(F("f", 7)), 7);
+    EXPECT_EQ(d->GetOneFloat({"f", "", 7, 0, 10, ""}), 7);
+    EXPECT_EQ(d->GetOneInt(I("i", 7)), 7);
+    EXPECT_EQ(d->GetOneInt(IntParam{"i", 7, 0, 10, ""}), 7);
+    EXPECT_TRUE(d->GetOneBool(B("b", true)));
+    EXPECT_EQ(d->GetOneString(S("s", "def")), "def");
+    EXPECT_EQ(d->GetOnePoint3f(P("p", "point3", {1, 2, 3})), (Point3f{1, 2, 3}));
+    EXPECT_EQ(d->GetOneVector3f(P("p", "vector3", {1, 2, 3})), (Vector3f{1, 2, 3}));
+    EXPECT_FALSE(d->GetOneSpectrum(L("L", SpectrumType::Illuminant)));
+    EXPECT_FALSE(d->GetOneRGB(L("L")));
+    EXPECT_FALSE(d->GetTexture(F("t")));
+    EXPECT_EQ(d->GetFileName(S("filename", "pbrt.exr")), "pbrt.exr");
+    EXPECT_EQ(d->GetFileName(S("filename")), "");
+    EXPECT_TRUE(d->GetFloatArray(List("a", "float")).empty());
+    EXPECT_TRUE(d->GetPoint3fArray(List("a", "point3")).empty());
     EXPECT_EQ(d->Loc("f"), d->Directive());
     d->ReportUnused();
     EXPECT_EQ(d.Messages(), Texts{});
@@ -71,23 +94,24 @@ TEST(ParamDict, Arrays) {
     Dict d(R"("float f" [ 1 2 ] "integer i" [ 1 2 3 ] "string s" [ "a" "b" ]
               "point2 p2" [ 1 2 3 4 ] "point3 p3" [ 1 2 3 4 5 6 ] "vector3 v" [ 1 2 3 ]
               "normal n" [ 0 0 1 ])");
-    EXPECT_EQ(d->GetFloatArray("f"), (std::vector<float>{1, 2}));
-    EXPECT_EQ(d->GetIntArray("i"), (std::vector<int>{1, 2, 3}));
-    EXPECT_EQ(d->GetStringArray("s"), (Texts{"a", "b"}));
-    EXPECT_EQ(d->GetPoint2fArray("p2"), (std::vector<Point2f>{{1, 2}, {3, 4}}));
-    EXPECT_EQ(d->GetPoint3fArray("p3"), (std::vector<Point3f>{{1, 2, 3}, {4, 5, 6}}));
-    EXPECT_EQ(d->GetVector3fArray("v"), (std::vector<Vector3f>{{1, 2, 3}}));
-    EXPECT_EQ(d->GetNormalArray("n"), (std::vector<Normal3f>{{0, 0, 1}}));
+    EXPECT_EQ(d->GetFloatArray(List("f", "float")), (std::vector<float>{1, 2}));
+    EXPECT_EQ(d->GetIntArray(List("i", "integer")), (std::vector<int>{1, 2, 3}));
+    EXPECT_EQ(d->GetStringArray(List("s", "string")), (Texts{"a", "b"}));
+    EXPECT_EQ(d->GetPoint2fArray(List("p2", "point2")), (std::vector<Point2f>{{1, 2}, {3, 4}}));
+    EXPECT_EQ(d->GetPoint3fArray(List("p3", "point3")),
+              (std::vector<Point3f>{{1, 2, 3}, {4, 5, 6}}));
+    EXPECT_EQ(d->GetVector3fArray(List("v", "vector3")), (std::vector<Vector3f>{{1, 2, 3}}));
+    EXPECT_EQ(d->GetNormalArray(List("n", "normal")), (std::vector<Normal3f>{{0, 0, 1}}));
     d->ReportUnused();
     EXPECT_EQ(d.Messages(), Texts{});
 }
 
 TEST(ParamDict, WrongCountsAreErrorsAndTheDefaultCounts) {
     Dict d(R"("float f" [ 1 2 ] "point3 p" [ 1 2 ] "string s" [ "a" "b" ] "point3 P" [ 1 2 3 4 ])");
-    EXPECT_EQ(d->GetOneFloat("f", 7), 7);
-    EXPECT_EQ(d->GetOnePoint3f("p", {7, 7, 7}), (Point3f{7, 7, 7}));
-    EXPECT_EQ(d->GetOneString("s", "def"), "def");
-    EXPECT_EQ(d->GetPoint3fArray("P").size(), 1u);
+    EXPECT_EQ(d->GetOneFloat(F("f", 7)), 7);
+    EXPECT_EQ(d->GetOnePoint3f(P("p", "point3", {7, 7, 7})), (Point3f{7, 7, 7}));
+    EXPECT_EQ(d->GetOneString(S("s", "def")), "def");
+    EXPECT_EQ(d->GetPoint3fArray(List("P", "point3")).size(), 1u);
     EXPECT_EQ(d.Messages(),
               (Texts{R"(test.pbrt:3:13: "float f": expected 1 value, found 2)",
                      R"(test.pbrt:3:32: "point3 p": expected 3 values, found 2)",
@@ -104,12 +128,18 @@ TEST(ParamDict, RangesAreClosedAndNameTheUnit) {
     EXPECT_EQ(inside->GetOneFloat(kRadius), 0);
     EXPECT_EQ(inside->GetOneFloat(kGain), -5);
     EXPECT_EQ(inside.Messages(), Texts{});
+    Dict none(R"("float width" 0)");
+    EXPECT_EQ(none->GetOneFloat({"width", "", 1, kAboveZero, kOpen, ""}), 1);
+    EXPECT_EQ(none->GetOneFloat({"width", "deg", 1, kAboveZero, 360, ""}), 1);
+    EXPECT_EQ(none.Messages(),
+              (Texts{R"(test.pbrt:3:15: "float width": 0 is not more than 0)",
+                     R"(test.pbrt:3:15: "float width": 0 is outside (0, 360] deg)"}));
     Dict outside(R"("float fov" 200 "float radius" -0.5 "float gain" 3 "integer n" 0)");
     EXPECT_EQ(outside->GetOneFloat(kFov), 90);
     EXPECT_EQ(outside->GetOneFloat(kRadius), 1);
     EXPECT_EQ(outside->GetOneFloat(kGain), 1);
-    EXPECT_EQ(outside->GetOneInt("n", 16, 1, 65536), 16);
-    EXPECT_EQ(outside->GetOneInt("n", 16, 1, 2147483647), 16);
+    EXPECT_EQ(outside->GetOneInt(IntParam{"n", 16, 1, 65536, ""}), 16);
+    EXPECT_EQ(outside->GetOneInt(IntParam{"n", 16, 1, kMostInt, ""}), 16);
     EXPECT_EQ(outside.Messages(),
               (Texts{R"(test.pbrt:3:13: "float fov": 200 is outside [1, 179] deg)",
                      R"(test.pbrt:3:32: "float radius": -0.5 is less than 0 mm)",
@@ -120,10 +150,11 @@ TEST(ParamDict, RangesAreClosedAndNameTheUnit) {
 
 TEST(ParamDict, ChoicesAreIndices) {
     constexpr std::array<std::string_view, 3> kTypes{"flat", "cylinder", "ribbon"};
-    EXPECT_EQ(Dict("")->GetOneChoice("type", "cylinder", kTypes), 1);
-    EXPECT_EQ(Dict("\"string type\" \"ribbon\"")->GetOneChoice("type", "flat", kTypes), 2);
+    EXPECT_EQ(Dict("")->GetOneChoice({"type", "cylinder", kTypes, "a kind"}), 1);
+    EXPECT_EQ(Dict("\"string type\" \"ribbon\"")->GetOneChoice({"type", "flat", kTypes, "a kind"}),
+              2);
     Dict wrong("\"string type\" \"cylindr\"");
-    EXPECT_EQ(wrong->GetOneChoice("type", "flat", kTypes), 0);
+    EXPECT_EQ(wrong->GetOneChoice({"type", "flat", kTypes, "a kind"}), 0);
     EXPECT_EQ(wrong.Messages(),
               Texts{R"(test.pbrt:3:15: "string type": "cylindr" is not one of )"
                     R"("flat", "cylinder" or "ribbon"; did you mean "cylinder"?)"});
@@ -131,7 +162,7 @@ TEST(ParamDict, ChoicesAreIndices) {
 
 TEST(ParamDict, LaterDuplicatesOverrideSilently) {
     Dict d(R"("float f" 1 "float f" 2 "float f" 3)");
-    EXPECT_EQ(d->GetOneFloat("f", 0), 3);
+    EXPECT_EQ(d->GetOneFloat(F("f", 0)), 3);
     EXPECT_EQ(d->Loc("f").column, 25);
     d->ReportUnused();
     EXPECT_EQ(d.Messages(), Texts{});
@@ -139,23 +170,23 @@ TEST(ParamDict, LaterDuplicatesOverrideSilently) {
 
 TEST(ParamDict, OwnParametersComeBeforeInheritedOnes) {
     Dict d(R"("float f" 1)", R"("float f" 5 "float f" 6 "float g" 7 "float g" 8 "float h" 9)");
-    EXPECT_EQ(d->GetOneFloat("f", 0), 1);
-    EXPECT_EQ(d->GetOneFloat("g", 0), 8);  // the latest of the inherited
-    d->ReportUnused();                     // h is inherited
+    EXPECT_EQ(d->GetOneFloat(F("f", 0)), 1);
+    EXPECT_EQ(d->GetOneFloat(F("g", 0)), 8);  // the latest of the inherited
+    d->ReportUnused();                        // h is inherited
     EXPECT_EQ(d.Messages(), Texts{});
 }
 
 TEST(ParamDict, AWrongTypeIsInvisible) {
     Dict d(R"("integer fov" 40)");
-    EXPECT_EQ(d->GetOneFloat("fov", 90), 90);
+    EXPECT_EQ(d->GetOneFloat(F("fov", 90)), 90);
     d->ReportUnused();
     EXPECT_EQ(d.Messages(), Texts{R"(test.pbrt:3:1: "integer fov": expected "float fov")"});
 }
 
 TEST(ParamDict, WrongTypesListAllThatWouldDo) {
     Dict d(R"("float reflectance" 1)");
-    EXPECT_FALSE(d->GetTexture("reflectance"));
-    EXPECT_FALSE(d->GetOneSpectrum("reflectance", SpectrumType::Albedo));
+    EXPECT_FALSE(d->GetTexture(L("reflectance")));
+    EXPECT_FALSE(d->GetOneSpectrum(L("reflectance", SpectrumType::Albedo)));
     d->ReportUnused();
     EXPECT_EQ(d.Messages(),
               Texts{R"(test.pbrt:3:1: "float reflectance": expected "texture reflectance", )"
@@ -164,9 +195,9 @@ TEST(ParamDict, WrongTypesListAllThatWouldDo) {
 
 TEST(ParamDict, UnknownNamesListTheKnownAndTheNearest) {
     Dict d(R"("float rougness" 1 "string xyzzy" "a")");
-    d->GetOneFloat("roughness", 0);
-    d->GetOneBool("remaproughness", true);
-    d->GetTexture("roughness");
+    d->GetOneFloat(F("roughness", 0));
+    d->GetOneBool(B("remaproughness", true));
+    d->GetTexture(F("roughness"));
     d->ReportUnused();
     EXPECT_EQ(d.Messages(),
               (Texts{R"(test.pbrt:3:1: unknown parameter "float rougness" of material "m"; )"
@@ -182,7 +213,7 @@ TEST(ParamDict, UnknownNamesListTheKnownAndTheNearest) {
 
 TEST(ParamDict, KnownButOverriddenByAnotherType) {
     Dict d(R"("rgb L" [ 1 1 1 ] "blackbody L" 5000)");
-    EXPECT_TRUE(d->GetOneSpectrum("L", SpectrumType::Illuminant));
+    EXPECT_TRUE(d->GetOneSpectrum(L("L", SpectrumType::Illuminant)));
     d->ReportUnused();
     EXPECT_EQ(d.Messages(),
               Texts{R"(test.pbrt:3:1: "rgb L" has no effect: the later "blackbody L" counts)"});
@@ -190,31 +221,75 @@ TEST(ParamDict, KnownButOverriddenByAnotherType) {
 
 TEST(ParamDict, KnownButNotRead) {
     Dict d(R"("float power" 1)");
-    EXPECT_TRUE(d->Has("power"));
+    EXPECT_TRUE(d->Has(F("power")));
     d->ReportUnused();
     EXPECT_EQ(d.Messages(), Texts{R"(test.pbrt:3:1: "float power" has no effect here)"});
 }
 
 TEST(ParamDict, HasLooksWithoutReading) {
     Dict d(R"("float f" 1)", R"("rgb g" [ 1 1 1 ])");
-    EXPECT_TRUE(d->Has("f"));
-    EXPECT_TRUE(d->Has("f", "float"));
-    EXPECT_FALSE(d->Has("f", "integer"));
-    EXPECT_TRUE(d->Has("g", "rgb"));
-    EXPECT_FALSE(d->Has("h"));
+    EXPECT_TRUE(d->Has(F("f")));
+    EXPECT_TRUE(d->HasOrTexture(F("f")));
+    EXPECT_FALSE(d->Has(I("f")));
+    EXPECT_TRUE(d->Has(L("g")));
+    EXPECT_FALSE(d->HasOrTexture(L("h")));
+    Dict textured(R"("texture f" "t")");
+    EXPECT_FALSE(textured->Has(F("f")));
+    EXPECT_TRUE(textured->HasOrTexture(F("f")));
 }
 
 TEST(ParamDict, ALaterConstantOverridesATexture) {
     Dict constantLast(R"("texture r" "t" "rgb r" [ 1 0 0 ])");
-    EXPECT_FALSE(constantLast->GetTexture("r"));
-    EXPECT_EQ(constantLast->GetOneRGB("r"), (RGB{1, 0, 0}));
+    EXPECT_FALSE(constantLast->GetTexture(L("r")));
+    EXPECT_EQ(constantLast->GetOneRGB(L("r")), (RGB{1, 0, 0}));
     Dict textureLast(R"("rgb r" [ 1 0 0 ] "texture r" "t")");
-    EXPECT_EQ(textureLast->GetTexture("r"), "t");
+    EXPECT_EQ(textureLast->GetTexture(L("r")), "t");
     Dict own(R"("float r" 1)", R"("texture r" "t")");
-    EXPECT_FALSE(own->GetTexture("r"));
-    EXPECT_EQ(own->GetOneFloat("r", 0), 1);
+    EXPECT_FALSE(own->GetTexture(F("r")));
+    EXPECT_EQ(own->GetOneFloat(F("r", 0)), 1);
     own->ReportUnused();
     EXPECT_EQ(own.Messages(), Texts{});
+}
+
+TEST(ParamDict, RemembersWhatWasAskedEachOnceInOrder) {
+    Dict d(R"("float eta" 1)");
+    d->GetTexture(F("roughness", 3));
+    d->Has(F("eta"));
+    d->GetOneInt(I("n"));
+    d->GetOneFloat(F("eta", 9));
+    d->GetOneSpectrum(L("eta"));
+    d->GetOneFloat(F("roughness", 4));
+    d->GetPoint3fArray(List("P", "point3"));
+    const std::vector<RequestedParam> &rows = d->Requested();
+    ASSERT_EQ(rows.size(), 5u);
+    const auto told = [&](size_t i) {
+        return std::string(NameOf(rows[i].row)) + ": " + TypesOf(rows[i]) + " " +
+               DefaultOf(rows[i].row);
+    };
+    EXPECT_EQ(told(0), "roughness: float or texture 3");
+    EXPECT_EQ(told(1), "eta: float 0");
+    EXPECT_EQ(told(2), "eta: rgb, spectrum or blackbody ");
+    EXPECT_EQ(told(3), "n: integer 0");
+    EXPECT_EQ(told(4), "P: point3 none");
+}
+
+TEST(ParamRow, RangesAndDefaultsAreShown) {
+    constexpr std::array<std::string_view, 2> kWords{"a", "b"};
+    EXPECT_EQ(RangeOf(F("f")), "");
+    EXPECT_EQ(RangeOf(I("i")), "");
+    EXPECT_EQ(RangeOf(FloatParam{"f", "nm", 1, 0, kOpen, ""}), ">= 0");
+    EXPECT_EQ(RangeOf(FloatParam{"f", "nm", 1, -kOpen, 2, ""}), "<= 2");
+    EXPECT_EQ(RangeOf(FloatParam{"f", "nm", 1, kAboveZero, kOpen, ""}), "> 0");
+    EXPECT_EQ(RangeOf(FloatParam{"f", "nm", 1, kAboveZero, 2, ""}), "(0, 2]");
+    EXPECT_EQ(RangeOf(IntParam{"i", 1, 0, 2, ""}), "[0, 2]");
+    EXPECT_EQ(RangeOf(L("s")), ">= 0");
+    EXPECT_EQ(RangeOf(L("s", SpectrumType::Albedo)), "[0, 1]");
+    EXPECT_EQ(RangeOf(ChoiceParam{"c", "a", kWords, ""}), "a, b");
+    EXPECT_EQ(DefaultOf(ChoiceParam{"c", "a", kWords, ""}), "\"a\"");
+    EXPECT_EQ(DefaultOf(S("s")), "");
+    EXPECT_EQ(DefaultOf(B("b", true)), "true");
+    EXPECT_EQ(DefaultOf(P("p", "point3", {0, 1, 0.5f})), "0 1 0.5");
+    EXPECT_EQ(UnitOf(FloatParam{"f", "nm", 1, 0, 2, ""}), "nm");
 }
 
 TEST(ParamDict, FileNamesStartFromTheScenesFolder) {
@@ -224,9 +299,9 @@ TEST(ParamDict, FileNamesStartFromTheScenesFolder) {
     const std::string dir = SourceDir() + "/test/scene";
     const Entity m = All(parsed->scene.materials).at(0);
     ParamDict d(m.params, m.loc, "material \"m\"", m.colorSpace, &parsed->log, dir);
-    EXPECT_EQ(d.GetFileName("filename"), dir + "/param_dict_test.cpp");
-    EXPECT_EQ(d.GetFileName("other"), "none.exr");
-    EXPECT_EQ(d.GetFileName("absolute"), "/x");
+    EXPECT_EQ(d.GetFileName(S("filename")), dir + "/param_dict_test.cpp");
+    EXPECT_EQ(d.GetFileName(S("other")), "none.exr");
+    EXPECT_EQ(d.GetFileName(S("absolute")), "/x");
 }
 
 TEST(ParamDict, ErrorsOfPlugInsStandAtTheParameter) {
@@ -245,7 +320,7 @@ TEST(ParamDict, MayOwnItsParameters) {
     Diagnostics log;
     ParamDict moved(ParsedParameters{p}, {"f", 1, 1}, "x", nullptr, &log);
     ParamDict copy = moved;
-    EXPECT_EQ(copy.GetOneFloat("f", 0), 3);
+    EXPECT_EQ(copy.GetOneFloat(F("f", 0)), 3);
     copy.ReportUnused();
     EXPECT_FALSE(log.HasErrors());
     moved.ReportUnused();  // what the copy read is its own affair
@@ -258,10 +333,10 @@ TEST(ParamDict, WhatTheParserRefusedIsNotReportedAgain) {
     EXPECT_EQ(parsed->Messages().size(), 3u);
     const Entity m = All(parsed->scene.materials).at(0);
     ParamDict d(m.params, m.loc, "material \"m\"", m.colorSpace, &parsed->log);
-    EXPECT_TRUE(d.Has("P"));
-    EXPECT_EQ(d.GetOneFloat("f", 7), 7);
-    EXPECT_TRUE(d.GetPoint3fArray("P").empty());
-    EXPECT_FALSE(d.GetOneSpectrum("c", SpectrumType::Albedo));
+    EXPECT_TRUE(d.Has(List("P", "point3")));
+    EXPECT_EQ(d.GetOneFloat(F("f", 7)), 7);
+    EXPECT_TRUE(d.GetPoint3fArray(List("P", "point3")).empty());
+    EXPECT_FALSE(d.GetOneSpectrum(L("c", SpectrumType::Albedo)));
     d.ReportUnused();
     EXPECT_EQ(parsed->Messages().size(), 3u);
 }

@@ -10,6 +10,10 @@
 namespace pbrt {
 namespace {
 
+constexpr SpectrumParam Row(SpectrumType role) {
+    return {"s", role, "0.5", "a spectrum"};
+}
+
 struct Read {
     std::optional<Spectrum> spectrum;
     Texts messages;
@@ -22,7 +26,7 @@ Read ReadSpectrum(const std::string &list, SpectrumType role = SpectrumType::Unb
     const Entity &l = parsed->scene.lights.at(0);
     ParamDict d(l.params, l.loc, "light \"l\"", l.colorSpace, &parsed->log, dir);
     Read result;
-    result.spectrum = d.GetOneSpectrum("s", role);
+    result.spectrum = d.GetOneSpectrum(Row(role));
     d.ReportUnused();
     result.messages = parsed->Messages();
     return result;
@@ -31,6 +35,12 @@ Read ReadSpectrum(const std::string &list, SpectrumType role = SpectrumType::Unb
 void ExpectSame(const Spectrum &a, const Spectrum &b) {
     for (float lambda = 360; lambda <= 830; lambda += 5)
         EXPECT_EQ(a(lambda), b(lambda)) << lambda;
+}
+
+TEST(ParamSpectrum, DefaultsAreNumbersOrNames) {
+    ExpectSame(DefaultSpectrum(Row(SpectrumType::Albedo)), Spectrum(0.5f));
+    ExpectSame(DefaultSpectrum({"k", SpectrumType::Unbounded, "metal-Cu-k", ""}),
+               *GetNamedSpectrum("metal-Cu-k"));
 }
 
 TEST(ParamSpectrum, RgbTakesItsRole) {
@@ -48,7 +58,7 @@ TEST(ParamSpectrum, RgbUsesTheColorSpaceOfItsDirective) {
         "ColorSpace \"srgb\" LightSource \"l\"");
     const Entity &l = parsed->scene.lights.at(0);
     ParamDict d(l.params, l.loc, "light \"l\"", l.colorSpace, &parsed->log);
-    ExpectSame(*d.GetOneSpectrum("s", SpectrumType::Illuminant),
+    ExpectSame(*d.GetOneSpectrum(Row(SpectrumType::Illuminant)),
                RGBColorSpace::Named("rec2020")->IlluminantSpectrum({1, 0, 0}));
 }
 
@@ -136,7 +146,7 @@ TEST_F(ParamSpectrumFile, AShortOneIsWarnedOfOnce) {
         for (const SpectrumType role : {SpectrumType::Albedo, SpectrumType::Illuminant}) {
             ParamDict d(l.params, l.loc, "light \"l\"", l.colorSpace, &parsed->log,
                         folder.string());
-            EXPECT_TRUE(d.GetOneSpectrum("s", role));
+            EXPECT_TRUE(d.GetOneSpectrum(Row(role)));
         }
     EXPECT_EQ(parsed->Messages().size(), 1u);
 }

@@ -35,7 +35,7 @@ TEST(State, RotateIsRightHandedInDegrees) {
 }
 
 TEST(State, IdentityForgets) {
-    EXPECT_TRUE(ShapeTransform("Translate 1 2 3 Identity").IsIdentity());
+    EXPECT_TRUE(ShapeTransform("Translate 1 2 3 Identity") == Transform());
 }
 
 TEST(State, MatricesAreColumnMajor) {
@@ -83,7 +83,7 @@ TEST(State, CoordinateSystemsAreSavedForBothTimes) {
     const std::string saved =
         "ActiveTransform EndTime Translate 1 0 0 CoordinateSystem \"here\" "
         "ActiveTransform All Identity Scale 2 2 2 CoordSysTransform \"here\"";
-    EXPECT_TRUE(ShapeTransform(saved, 0).IsIdentity());
+    EXPECT_TRUE(ShapeTransform(saved, 0) == Transform());
     EXPECT_EQ(ShapeTransform(saved, 1), Transform::Translate({1, 0, 0}));
 }
 
@@ -95,7 +95,7 @@ TEST(State, CameraAndWorldArePredefined) {
     EXPECT_EQ(parsed->Messages(), Texts{});
     EXPECT_EQ(All(parsed->scene.shapes).at(0).worldFromObject[0],
               Transform::Translate({-1, -2, -3}));
-    EXPECT_TRUE(All(parsed->scene.shapes).at(1).worldFromObject[0].IsIdentity());
+    EXPECT_TRUE(All(parsed->scene.shapes).at(1).worldFromObject[0] == Transform());
 }
 
 TEST(State, CoordinateSystemsOutliveScopes) {
@@ -123,7 +123,7 @@ TEST(State, MovingLightsAndTexturesUseTheStart) {
                      "opening is used throughout",
                      "test.pbrt:4:1: a texture cannot move: its transformation at the shutter's "
                      "opening is used throughout"}));
-    EXPECT_TRUE(parsed->scene.lights.at(0).worldFromLight.IsIdentity());
+    EXPECT_TRUE(parsed->scene.lights.at(0).worldFromLight == Transform());
     EXPECT_FALSE(parsed->log.HasErrors());
 }
 
@@ -154,7 +154,7 @@ TEST(State, AttributeScopesRestoreEverything) {
     EXPECT_EQ(s[1].material, 0);
     EXPECT_EQ(s[1].params.size(), 1u);
     EXPECT_TRUE(s[2].reverseOrientation);
-    EXPECT_TRUE(s[2].worldFromObject[0].IsIdentity());
+    EXPECT_TRUE(s[2].worldFromObject[0] == Transform());
     EXPECT_EQ(s[2].material, -1);
     EXPECT_EQ(s[2].colorSpace, &RGBColorSpace::sRGB());
     EXPECT_TRUE(s[2].params.empty());
@@ -168,7 +168,7 @@ TEST(State, TransformBeginIsAttributeBeginWithOneWarning) {
               Texts{"test.pbrt:2:1: TransformBegin and TransformEnd are read as AttributeBegin and "
                     "AttributeEnd: pbrt-v4 has only these"});
     EXPECT_FALSE(parsed->log.HasErrors());
-    EXPECT_TRUE(All(parsed->scene.shapes).at(0).worldFromObject[0].IsIdentity());
+    EXPECT_TRUE(All(parsed->scene.shapes).at(0).worldFromObject[0] == Transform());
 }
 
 TEST(State, AttributesFollowTheOwnParametersOfEachKind) {

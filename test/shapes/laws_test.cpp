@@ -129,7 +129,7 @@ TYPED_TEST(EveryShape, SolidAngleDensityIsTheInverseJacobian) {
                 ++tested;
             }
     });
-    EXPECT_GT(tested, 300 * int(TypeParam::kExamples.size()));
+    EXPECT_GT(tested, 1000 * int(TypeParam::kExamples.size()));
 }
 
 TYPED_TEST(EveryShape, PDFFromIsTheSamplersDensity) {

@@ -231,17 +231,6 @@ TEST(ColorSpace, TableIsTheSameForAnyNumberOfThreads) {
     }
 }
 
-TEST(SRGBTransfer, RoundTripsAndMeetsTheStandard) {
-    for (int i = 0; i <= 1000; ++i) {
-        const float v = i / 1000.f;
-        EXPECT_NEAR(SRGBToLinear(LinearToSRGB(v)), v, 1e-6f);
-    }
-    EXPECT_EQ(LinearToSRGB(0), 0);
-    EXPECT_NEAR(LinearToSRGB(1), 1, 1e-6);
-    EXPECT_NEAR(LinearToSRGB(0.0031308f), 0.04045f, 1e-5f);
-    EXPECT_NEAR(SRGBToLinear(0.5f), 0.21404f, 1e-5f);
-}
-
 TEST(WhiteBalance, TakesOneWhiteToTheOther) {
     const std::array<float, 2> d50{0.34567f, 0.35851f}, d65{0.31272f, 0.32903f};
     const Matrix3 m = WhiteBalance(d65, d50);

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "pbrt/feather/dispersion.h"
 #include "pbrt/spectra/spectrum.h"
 
 namespace pbrt {
@@ -142,6 +143,15 @@ TEST(NamedSpectra, KeratinAndMelaninHaveTheirPublishedValues) {
     const float reflectance[] = {.0830f, .0779f, .0743f, .0716f, .0697f, .0681f, .0669f};
     for (int i = 0; i < 7; ++i)
         EXPECT_NEAR(melanin(400 + 50.f * i), reflectance[i], 5.1e-5f);
+}
+
+TEST(NamedSpectra, KeratinAndMelaninAreThoseOfTheFeatherModel) {
+    const Spectrum &keratin = Get("keratin"), &melanin = Get("melanin");
+    for (int lambda = int(LambdaMin); lambda <= int(LambdaMax); ++lambda) {
+        const feather::Nm<double> nm{double(lambda)};
+        EXPECT_EQ(keratin(float(lambda)), float(feather::KeratinIndex(nm))) << lambda;
+        EXPECT_EQ(melanin(float(lambda)), float(feather::MelaninReflectance(nm))) << lambda;
+    }
 }
 
 }  // namespace

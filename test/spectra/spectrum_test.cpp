@@ -166,6 +166,14 @@ TEST(XYZ, OfEqualEnergyIsOne) {
     EXPECT_NEAR(half.Y, 0.5f, 1e-6);
 }
 
+/// Integral of a(lambda) b(lambda) over 360-830 nm (1 nm sums).
+float InnerProduct(const Spectrum &a, const Spectrum &b) {
+    double sum = 0;
+    for (int i = 0; i <= int(LambdaMax - LambdaMin); ++i)
+        sum += double(a(LambdaMin + i)) * b(LambdaMin + i);
+    return float(sum);
+}
+
 TEST(XYZ, PhotometricIntegralIsInnerProductWithY) {
     for (const Spectrum &s : Kinds()) {
         const float expected = InnerProduct(s, spectra::Y());

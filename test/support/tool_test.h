@@ -5,6 +5,7 @@
 
 #include "pbrt/cli/tool.h"
 #include "pbrt/image/image.h"
+#include "pbrt/util/result.h"
 #include "support/temp_folder.h"
 
 namespace pbrt {

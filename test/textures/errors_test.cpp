@@ -106,6 +106,8 @@ ParsedParameter Float(std::string name, float value) {
 }
 
 constexpr FloatParam kRow{"roughness", "", 0.5f, 0, 1, ""};
+constexpr SpectrumParam kAlbedo{"reflectance", SpectrumType::Albedo, "0.25", ""};
+constexpr SpectrumParam kSigmaA{"sigma_a", SpectrumType::Unbounded, "", ""};
 
 TEST(TextureGetters, TakeTextureConstantOrDefault) {
     Request a(R"(Texture "t" "float" "checkerboard")", {Texture("roughness", "t")});
@@ -114,9 +116,8 @@ TEST(TextureGetters, TakeTextureConstantOrDefault) {
     EXPECT_EQ(GetFloatTexture(*b.params, b.scene.named, kRow).Constant(), 0.25f);
     Request c("", {});
     EXPECT_EQ(GetFloatTexture(*c.params, c.scene.named, kRow).Constant(), 0.5f);
-    EXPECT_FALSE(FindFloatTexture(*c.params, c.scene.named, "alpha").has_value());
-    EXPECT_FALSE(FindSpectrumTexture(*c.params, c.scene.named, "reflectance", SpectrumType::Albedo)
-                     .has_value());
+    EXPECT_FALSE(FindSpectrumTexture(*c.params, c.scene.named, kAlbedo).has_value());
+    EXPECT_EQ(GetSpectrumTexture(*c.params, c.scene.named, kAlbedo).Constant()(500), 0.25f);
     EXPECT_EQ(c.scene.Messages(), "");
 }
 
@@ -134,9 +135,9 @@ TEST(TextureGetters, BrightColoursAreNoAlbedos) {
     Request a(R"(Texture "t" "spectrum" "constant" "rgb value" [ 1 2 3 ])",
               {Texture("reflectance", "t"), Texture("sigma_a", "t")});
     EXPECT_EQ(a.scene.Messages(), "");
-    EXPECT_TRUE(FindSpectrumTexture(*a.params, a.scene.named, "sigma_a", SpectrumType::Unbounded));
+    EXPECT_TRUE(FindSpectrumTexture(*a.params, a.scene.named, kSigmaA));
     EXPECT_EQ(a.scene.Messages(), "");
-    FindSpectrumTexture(*a.params, a.scene.named, "reflectance", SpectrumType::Albedo);
+    FindSpectrumTexture(*a.params, a.scene.named, kAlbedo);
     EXPECT_EQ(a.scene.Messages(),
               "m.pbrt:1:1: \"reflectance\" wants values in [0, 1], but texture "
               "\"t\" has RGB values above 1\n");

@@ -72,6 +72,14 @@ TEST(EqualArea, CellsOfEqualSizeHaveEqualSolidAngle) {
     EXPECT_GT(compared, kPoints / 2);
 }
 
+/// Where a picture's neighbourhood goes on beyond the square's edges: each edge is glued to itself,
+/// turned about its middle. p in [-1, 2]^2.
+Point2f WrapEqualAreaSquare(Point2f p) {
+    if (p.x < 0 || p.x > 1) p = {p.x < 0 ? -p.x : 2 - p.x, 1 - p.y};
+    if (p.y < 0 || p.y > 1) p = {1 - p.x, p.y < 0 ? -p.y : 2 - p.y};
+    return p;
+}
+
 TEST(EqualArea, DirectionsAreContinuousAcrossTheEdges) {
     const float h = 1e-4f;
     for (int i = 1; i < 20; ++i) {

@@ -32,16 +32,6 @@ TEST(Math, PolynomialByHornersRule) {
     EXPECT_EQ(EvaluatePolynomial(2.f, 7.f), 7);
 }
 
-TEST(Math, DifferenceOfProductsDoesNotCancel) {
-    Rng rng(3);
-    for (int i = 0; i < 100000; ++i) {
-        const float a = rng.Uniform() + 1, b = rng.Uniform() + 1;
-        const float c = a * (1 + 1e-6f * rng.Uniform()), d = b * (1 - 1e-6f * rng.Uniform());
-        const double exact = double(a) * b - double(c) * d;
-        EXPECT_NEAR(DifferenceOfProducts(a, b, c, d), exact, 2e-7 * std::abs(exact));
-    }
-}
-
 TEST(Math, MortonCodeAndReversal) {
     Rng rng(4);
     for (int i = 0; i < 1000; ++i) {

@@ -15,5 +15,13 @@ TEST(ParseNumber, TakesTheWholeText) {
         EXPECT_EQ(ParseNumber(text), std::nullopt) << text;
 }
 
+TEST(ParseWhole, TakesWhatFromCharsTakesAndNoMore) {
+    EXPECT_EQ(ParseWhole<int>("-12"), -12);
+    EXPECT_EQ(ParseWhole<float>("1e-3"), 1e-3f);
+    EXPECT_TRUE(std::isnan(ParseWhole<double>("nan").value()));
+    for (const char *text : {"", "+1", " 1", "1 ", "1.", "2147483648", "0x1"})
+        EXPECT_EQ(ParseWhole<int>(text), std::nullopt) << text;
+}
+
 }  // namespace
 }  // namespace pbrt

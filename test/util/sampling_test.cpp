@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <functional>
 #include <vector>
 
+#include "oracle/inverse_warps.h"
 #include "pbrt/util/rng.h"
 
 namespace pbrt {
@@ -115,22 +115,6 @@ TEST(Sampling, TentMatchesItsDensityAndInverse) {
             EXPECT_NEAR(slope * TentPDF(x, r), 1, 5e-3);
         }
     }
-}
-
-TEST(Sampling, DiscreteSharesAndLeftover) {
-    const std::array<float, 5> weights{0, 2, 0, 5, 0};
-    const int n = 1 << 12;
-    std::array<int, 5> count{};
-    for (int i = 0; i < n; ++i) {
-        const DiscreteSample s = SampleDiscrete(weights, float(i) / n);
-        ++count[size_t(s.index)];
-        EXPECT_FLOAT_EQ(s.pmf, weights[size_t(s.index)] / 7);
-        const float start = s.index == 1 ? 0.f : 2.f / 7;
-        EXPECT_NEAR(s.u, (float(i) / n - start) / s.pmf, 1e-5);
-    }
-    EXPECT_NEAR(count[1], n * 2. / 7, 1);
-    EXPECT_NEAR(count[3], n * 5. / 7, 1);
-    EXPECT_EQ(SampleDiscrete(weights, OneMinusEpsilon).index, 3);
 }
 
 }  // namespace

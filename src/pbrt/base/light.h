@@ -5,6 +5,7 @@
 #include <optional>
 #include <string_view>
 
+#include "pbrt/base/plug_in.h"
 #include "pbrt/spectra/spectrum.h"
 #include "pbrt/util/wide.h"
 
@@ -106,13 +107,11 @@ struct LightTraits {
 /// immutable but for Preprocess. All places are in rendering space. Units are pbrt's: spectra have
 /// a CIE-Y integral of 1 for one unit of RGB, and are scaled by the light's own scale.
 ///
-///   static constexpr std::string_view kName
-///       as in `LightSource "name"`; of several of one name the first in the list is created.
+///   kName, kExamples
+///       see PlugInType; of several of one name the first in the list is created. The tests run
+///       every law about lights on each example, on some shapes where it is an area light. A
+///       picture "example.exr", square, stands where they are read.
 ///   static constexpr LightTraits kTraits
-///   static constexpr std::array kExamples{std::string_view...}
-///       scene text that describes one such light (for area lights: and the shape behind it). The
-///       tests of every law about lights run on them, so they show every branch. A picture
-///       "sky.exr", square, stands where they are read.
 ///   static Made Create(ParamDict &, const Transform &renderFromLight)
 ///   static std::vector<L> Create(ParamDict &, const Shape &, const FloatTexture &alpha)
 ///       the second for area lights: one light a primitive of the shape, which outlives them. Made
@@ -128,11 +127,10 @@ struct LightTraits {
 ///   std::optional<LightBounds> Bounds() const
 ///       nullopt for light from infinity; else of all that SampleLi may draw.
 template <typename L>
-concept BasicLight = std::copyable<L> && requires(const L l, const LightSampleContext &ctx,
-                                                  Point2f u, const SampledWavelengths &lambda) {
-    { L::kName } -> std::convertible_to<std::string_view>;
+concept BasicLight = PlugInType<L> && std::copyable<L> &&
+    requires(const L l, const LightSampleContext &ctx, Point2f u,
+             const SampledWavelengths &lambda) {
     { L::kTraits } -> std::same_as<const LightTraits &>;
-    { L::kExamples[0] } -> std::convertible_to<std::string_view>;
     { l.SampleLi(ctx, u, lambda) } -> std::same_as<std::optional<LightLiSample>>;
     { l.Power() } -> std::same_as<float>;
     { l.Bounds() } -> std::same_as<std::optional<LightBounds>>;
@@ -193,30 +191,15 @@ concept ReadsSceneRadius = requires(T l, float radius) {
     { l.Preprocess(radius) } -> std::same_as<void>;
 };
 
-/// False where a member is left unused for want of its trait.
-template <typename T>
-consteval bool AnnouncesItsLight() {
-    constexpr LightTraits kTraits = T::kTraits;
-    constexpr bool isArea = AreaLightType<T>, isInfinite = InfiniteLightType<T>,
-                   reads = ReadsSceneRadius<T>, isWide = WideLight<T>,
-                   isWideSeen = WideInfiniteLight<T>;
-    return (kTraits.isArea || !isArea) && (kTraits.isInfinite || !isInfinite) &&
-           (kTraits.readsSceneRadius || !reads) && (kTraits.isWide || !isWide) &&
-           (kTraits.isWideSeen || !isWideSeen);
-}
-
 /// The whole contract: BasicLight, what the traits announce, and nothing that they do not.
-// clang-format off
 template <typename T>
-concept LightType = BasicLight<T> &&
-    T::kTraits.isArea + T::kTraits.isInfinite + T::kTraits.isDelta <= 1 &&
-    (AreaLightType<T> || !T::kTraits.isArea) &&
-    (InfiniteLightType<T> || !T::kTraits.isInfinite) &&
-    (ReadsSceneRadius<T> || !T::kTraits.readsSceneRadius) &&
-    (WideLight<T> || !T::kTraits.isWide) &&
-    (WideInfiniteLight<T> || !T::kTraits.isWideSeen) &&
-    AnnouncesItsLight<T>();
-// clang-format on
+concept LightType =
+    BasicLight<T> && T::kTraits.isArea + T::kTraits.isInfinite + T::kTraits.isDelta <= 1 &&
+    detail::AsAnnounced<T::kTraits.isArea, AreaLightType<T>>
+        &&detail::AsAnnounced<T::kTraits.isInfinite, InfiniteLightType<T>>
+            &&detail::AsAnnounced<T::kTraits.readsSceneRadius, ReadsSceneRadius<T>>
+                &&detail::AsAnnounced<T::kTraits.isWide, WideLight<T>>
+                    &&detail::AsAnnounced<T::kTraits.isWideSeen, WideInfiniteLight<T>>;
 
 /// LightType<T>, or an error that names T and the member that is missing or not announced.
 template <BasicLight T>
@@ -227,7 +210,6 @@ struct LightContract {
         if constexpr (T::kTraits.readsSceneRadius) static_assert(ReadsSceneRadius<T>);
         if constexpr (T::kTraits.isWide) static_assert(WideLight<T>);
         if constexpr (T::kTraits.isWideSeen) static_assert(WideInfiniteLight<T>);
-        static_assert(AnnouncesItsLight<T>());
         return LightType<T>;
     }();
 };

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "pbrt/base/hit.h"
+#include "pbrt/base/plug_in.h"
 #include "pbrt/base/surface_interaction.h"
 #include "pbrt/scene/description.h"
 #include "pbrt/scene/params.h"
@@ -70,13 +71,10 @@ struct ShapeTraits {
 /// and immutable once made. All places and directions are in rendering space (the object's space
 /// where it stands in an object that instances repeat), but for what hasObjectSpace says.
 ///
-///   static constexpr std::string_view kName
-///       as in `Shape "name"`.
+///   kName, kExamples
+///       see PlugInType. The tests place each example in several ways and run every law about
+///       shapes on it, so the examples show every branch: whole and partial, flat and bent.
 ///   static constexpr ShapeTraits kTraits
-///   static constexpr std::array kExamples{std::string_view...}
-///       scene text that describes one such shape, with transforms and ReverseOrientation in front
-///       as they like. The tests of every law about shapes run on them, so they show every branch:
-///       whole and partial, stretched, mirrored, bent.
 ///   static Made Create(const ShapeArguments &)
 ///       reads the parameters, each with its default and range. Made is std::optional<S>, or
 ///       another optional, variant or vector of types in the list of shapes. Empty after an error,
@@ -91,11 +89,10 @@ struct ShapeTraits {
 ///       along the ray. Called once for each vertex of each path. kWithError false: pError is not
 ///       needed (alpha tests, null transmission).
 template <typename S>
-concept BasicShape = std::movable<S> && requires(const S s, uint32_t primitive, const Hit &hit,
-                                                 const Ray &ray, const ShapeArguments &arguments) {
-    { S::kName } -> std::convertible_to<std::string_view>;
+concept BasicShape = PlugInType<S> && std::movable<S> &&
+    requires(const S s, uint32_t primitive, const Hit &hit, const Ray &ray,
+             const ShapeArguments &arguments) {
     { S::kTraits } -> std::same_as<const ShapeTraits &>;
-    { S::kExamples[0] } -> std::convertible_to<std::string_view>;
     S::Create(arguments);
     { s.NPrimitives() } -> std::same_as<size_t>;
     { s.Bounds() } -> std::same_as<Bounds3f>;
@@ -161,26 +158,12 @@ concept WideShape = requires(const S s, const ShapePacket<S> &shapes, const RayH
     { S::template SurfacesAt<false>(shapes, hits, active) } -> std::same_as<SurfaceInteractionX16>;
 };
 
-/// False where a member is left unused for want of its trait.
-template <typename S>
-consteval bool AnnouncesItsMembers() {
-    constexpr ShapeTraits kTraits = S::kTraits;
-    constexpr bool emits = EmittingShape<S>, intersects = SelfIntersectingShape<S>,
-                   isPlaced = ShapeInObjectSpace<S>, isWide = WideShape<S>;
-    return (kTraits.canEmit || !emits) && (kTraits.intersectsItself || !intersects) &&
-           (kTraits.hasObjectSpace || !isPlaced) && (kTraits.fewestWide > 0 || !isWide);
-}
-
 /// The whole contract: BasicShape, what the traits announce, and nothing that they do not.
-// clang-format off
 template <typename S>
-concept ShapeType = BasicShape<S> &&
-    (EmittingShape<S> || !S::kTraits.canEmit) &&
-    (SelfIntersectingShape<S> || !S::kTraits.intersectsItself) &&
-    (ShapeInObjectSpace<S> || !S::kTraits.hasObjectSpace) &&
-    (WideShape<S> || S::kTraits.fewestWide == 0) &&
-    AnnouncesItsMembers<S>();
-// clang-format on
+concept ShapeType = BasicShape<S> && detail::AsAnnounced<S::kTraits.canEmit, EmittingShape<S>> &&
+    detail::AsAnnounced<S::kTraits.intersectsItself, SelfIntersectingShape<S>> &&
+    detail::AsAnnounced<S::kTraits.hasObjectSpace, ShapeInObjectSpace<S>> &&
+    detail::AsAnnounced<(S::kTraits.fewestWide > 0), WideShape<S>>;
 
 /// ShapeType<S>, or an error that names S and the member that is missing or not announced.
 template <BasicShape S>
@@ -190,7 +173,6 @@ struct ShapeContract {
         if constexpr (S::kTraits.intersectsItself) static_assert(SelfIntersectingShape<S>);
         if constexpr (S::kTraits.hasObjectSpace) static_assert(ShapeInObjectSpace<S>);
         if constexpr (S::kTraits.fewestWide > 0) static_assert(WideShape<S>);
-        static_assert(AnnouncesItsMembers<S>());
         return ShapeType<S>;
     }();
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "pbrt/bsdftool/csv.h"
+#include "pbrt/cli/options.h"
 #include "pbrt/util/atomic_file.h"
 
 namespace pbrt::bsdftool {
@@ -13,17 +14,17 @@ constexpr std::string_view kEqualEnergy = "equal-energy";
 }  // namespace
 
 void AddMaterial(CLI::App *app, CommonOptions *o) {
-    app->add_option("MATERIAL", o->material,
-                    "pbrt text such as 'Material \"featherbarbule\" \"float thickness\" 595', or a "
-                    "scene file, whose first material is taken")
-        ->required();
-    app->add_option("--pick", o->pick,
-                    "take the first material of this name or type, not the first of all");
+    cli::AddRequired(
+        app, "MATERIAL", &o->material,
+        "pbrt text such as 'Material \"featherbarbule\" \"float thickness\" 595', or a "
+        "scene file, whose first material is taken");
+    cli::AddText(app, "--pick", &o->pick,
+                 "take the first material of this name or type, not the first of all");
 }
 
 void AddIlluminant(CLI::App *app, CommonOptions *o) {
-    app->add_option("--illuminant", o->illuminant,
-                    "named spectrum of the light, e.g. stdillum-D65 (default: equal-energy)");
+    cli::AddText(app, "--illuminant", &o->illuminant,
+                 "named spectrum of the light, e.g. stdillum-D65 (default: equal-energy)");
 }
 
 std::optional<MaterialSource> ReadMaterial(const CommonOptions &o, Diagnostics &log) {
@@ -63,18 +64,6 @@ void CheckWritable(const std::string &fileName, Diagnostics &log) {
 void WriteText(const std::string &fileName, std::string_view text, Diagnostics &log) {
     if (fileName.empty()) return;
     if (const auto why = WriteFileAtomically(fileName, text)) log.Error({}, *why);
-}
-
-Outcome Finish(const Diagnostics &log, std::string out) {
-    Outcome outcome;
-    for (const Message &m : log.Messages())
-        outcome.err +=
-            fmt::format("{}: {}\n", m.severity == Severity::Error ? "Error" : "Warning", m.text);
-    if (log.HasErrors())
-        outcome.exitCode = 1;
-    else
-        outcome.out = std::move(out);
-    return outcome;
 }
 
 }  // namespace pbrt::bsdftool

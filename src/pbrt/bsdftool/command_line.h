@@ -30,7 +30,4 @@ std::vector<float> ReadNumbers(std::string_view text, std::string_view what, flo
 void CheckWritable(const std::string &fileName, Diagnostics &log);
 void WriteText(const std::string &fileName, std::string_view text, Diagnostics &log);
 
-/// The end of a command: `out` and the warnings, or the errors and exit code 1.
-Outcome Finish(const Diagnostics &log, std::string out = {});
-
 }  // namespace pbrt::bsdftool

@@ -6,7 +6,6 @@ namespace pbrt::bsdftool {
 namespace {
 
 constexpr std::array kCommands{
-    cli::Command{"bench", "time of f, PDF and Sample_f, and a feather's error", RunBench},
     cli::Command{"eval", "values for pairs of directions, as JSON lines", RunEval},
     cli::Command{"furnace", "what becomes of light, by direction: R, TRT, T, absorbed", RunFurnace},
     cli::Command{"plot", "pictures of the light scattered to either side", RunPlot},

@@ -8,11 +8,11 @@
 namespace pbrt::bsdftool {
 
 using cli::Args;
+using cli::Finish;
 using cli::Outcome;
 
 extern const cli::Tool kTool;
 
-Outcome RunBench(Args args);
 Outcome RunEval(Args args);
 Outcome RunFurnace(Args args);
 Outcome RunPlot(Args args);

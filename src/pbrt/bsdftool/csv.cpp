@@ -1,6 +1,6 @@
 #include "pbrt/bsdftool/csv.h"
 
-#include <charconv>
+#include "pbrt/util/parse_number.h"
 
 namespace pbrt::bsdftool {
 namespace {
@@ -27,10 +27,7 @@ std::vector<std::string_view> SplitCells(std::string_view text, char separator) 
 
 std::optional<double> ReadNumber(std::string_view text) {
     if (text.starts_with('+')) text.remove_prefix(1);
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) return {};
-    return value;
+    return ParseWhole<double>(text);
 }
 
 }  // namespace pbrt::bsdftool

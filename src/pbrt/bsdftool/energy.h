@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "pbrt/bsdftool/directions.h"
-#include "pbrt/materials/material.h"
+#include "pbrt/materials/materials.h"
 
 namespace pbrt::bsdftool {
 

@@ -2,6 +2,7 @@
 
 #include "pbrt/bsdftool/command_line.h"
 #include "pbrt/bsdftool/evaluation.h"
+#include "pbrt/cli/options.h"
 
 namespace pbrt::bsdftool {
 namespace {
@@ -12,31 +13,25 @@ struct Options {
     bool inDouble = false;
 };
 
-std::optional<Outcome> ParseOptions(Args args, Options *o) {
-    CLI::App app(
-        "Values of a material for pairs of directions, one JSON object a line: f in 1/sr without "
-        "the cosine, pdf in 1/sr and, of featherbarbule, the gap fraction of wo and the parts R "
-        "and TRT of f. The local frame has z along the normal; x runs across the barbules and y "
-        "along them (\"rotation\" does not enter). The pdf of a featherbarbule is that of the "
-        "first four wavelengths.",
-        "bsdftool eval");
-    AddMaterial(&app, &o->common);
-    app.add_option("--directions", o->directions,
-                   "CSV file with the header wo_x,wo_y,wo_z,wi_x,wi_y,wi_z")
-        ->required();
-    app.add_option("--wavelengths", o->wavelengths, "in nm (default: 450,550,650)")
-        ->type_name("nm,nm,...");
-    app.add_flag("--double", o->inDouble,
+constexpr char kDescription[] =
+    "Values of a material for pairs of directions, one JSON object a line: f in 1/sr without "
+    "the cosine, pdf in 1/sr and, of featherbarbule, the gap fraction of wo and the parts R "
+    "and TRT of f. The local frame has z along the normal; x runs across the barbules and y "
+    "along them (\"rotation\" does not enter). The pdf of a featherbarbule is that of the "
+    "first four wavelengths.";
+
+void DefineOptions(CLI::App *app, Options *o) {
+    AddMaterial(app, &o->common);
+    cli::AddRequired(app, "--directions", &o->directions,
+                     "CSV file with the header wo_x,wo_y,wo_z,wi_x,wi_y,wi_z");
+    cli::AddText(app, "--wavelengths", &o->wavelengths, "in nm (default: 450,550,650)",
+                 "nm,nm,...");
+    cli::AddFlag(app, "--double", &o->inDouble,
                  "evaluate the model in double precision with a converged quadrature");
-    app.add_option("--outfile", o->outfile, "file for the lines (default: standard output)");
-    return cli::Parse(&app, args);
+    cli::AddText(app, "--outfile", &o->outfile, "file for the lines (default: standard output)");
 }
 
-}  // namespace
-
-Outcome RunEval(Args args) {
-    Options o;
-    if (auto end = ParseOptions(args, &o)) return *end;
+Outcome WithOptions(Options &o) {
     Diagnostics log;
     const auto source = ReadMaterial(o.common, log);
     const std::vector<DirectionPair> pairs = ReadDirections(o.directions, log);
@@ -57,6 +52,12 @@ Outcome RunEval(Args args) {
     if (o.outfile.empty()) return Finish(log, std::move(lines));
     WriteText(o.outfile, lines, log);
     return Finish(log);
+}
+
+}  // namespace
+
+Outcome RunEval(Args args) {
+    return cli::RunWithOptions(args, "bsdftool eval", kDescription, DefineOptions, WithOptions);
 }
 
 }  // namespace pbrt::bsdftool

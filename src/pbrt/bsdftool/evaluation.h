@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "pbrt/bsdftool/directions.h"
-#include "pbrt/materials/material.h"
+#include "pbrt/materials/materials.h"
 
 namespace pbrt::bsdftool {
 

@@ -16,23 +16,22 @@ struct Options {
     int samples = 4096;
 };
 
-std::optional<Outcome> ParseOptions(Args args, Options *o) {
-    CLI::App app(
-        "What becomes of light of one direction that falls on a material, as shares of it, means "
-        "over wavelengths of equal energy: scattered to its own side and to the other, of this R "
-        "and TRT, straight through (T), and absorbed, which is the rest. (featherbarbule leaves "
-        "light out that meets a second barbule; it counts as absorbed.)",
-        "bsdftool furnace");
-    AddMaterial(&app, &o->common);
-    app.add_option("--thetas", o->thetas, "angles to the normal, degrees; beyond 90: from below")
-        ->type_name("theta,theta,...");
-    app.add_option("--phis", o->phis,
-                   "azimuths from x (across barbules) towards y (along them), degrees")
-        ->type_name("phi,phi,...");
-    cli::AddNumber(&app, "--samples", &o->samples, {.lo = 16, .hi = 1 << 24},
+constexpr char kDescription[] =
+    "What becomes of light of one direction that falls on a material, as shares of it, means "
+    "over wavelengths of equal energy: scattered to its own side and to the other, of this R "
+    "and TRT, straight through (T), and absorbed, which is the rest. (featherbarbule leaves "
+    "light out that meets a second barbule; it counts as absorbed.)";
+
+void DefineOptions(CLI::App *app, Options *o) {
+    AddMaterial(app, &o->common);
+    cli::AddText(app, "--thetas", &o->thetas,
+                 "angles to the normal, degrees; beyond 90: from below", "theta,theta,...");
+    cli::AddText(app, "--phis", &o->phis,
+                 "azimuths from x (across barbules) towards y (along them), degrees",
+                 "phi,phi,...");
+    cli::AddNumber(app, "--samples", &o->samples, {.lo = 16, .hi = 1 << 24},
                    "directions drawn per row and four wavelengths");
-    app.add_option("--csv", o->csv, "file for the same table as CSV");
-    return cli::Parse(&app, args);
+    cli::AddText(app, "--csv", &o->csv, "file for the same table as CSV");
 }
 
 struct Row {
@@ -88,11 +87,7 @@ std::string Csv(const std::vector<Column> &columns, const std::vector<Row> &rows
     return csv;
 }
 
-}  // namespace
-
-Outcome RunFurnace(Args args) {
-    Options o;
-    if (auto end = ParseOptions(args, &o)) return *end;
+Outcome WithOptions(Options &o) {
     Diagnostics log;
     const auto source = ReadMaterial(o.common, log);
     const std::vector<float> thetas = ReadNumbers(o.thetas, "--thetas", 0, 180, log);
@@ -112,6 +107,12 @@ Outcome RunFurnace(Args args) {
     const std::vector<Column> columns = ColumnsFor(source->material);
     WriteText(o.csv, Csv(columns, rows), log);
     return Finish(log, Table(columns, rows));
+}
+
+}  // namespace
+
+Outcome RunFurnace(Args args) {
+    return cli::RunWithOptions(args, "bsdftool furnace", kDescription, DefineOptions, WithOptions);
 }
 
 }  // namespace pbrt::bsdftool

@@ -6,7 +6,7 @@
 #include "pbrt/bsdftool/directions.h"
 #include "pbrt/bsdftool/observer.h"
 #include "pbrt/image/image.h"
-#include "pbrt/materials/material.h"
+#include "pbrt/materials/materials.h"
 
 namespace pbrt::bsdftool {
 

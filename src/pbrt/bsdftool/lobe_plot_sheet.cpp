@@ -3,12 +3,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "pbrt/bsdftool/axis.h"
-#include "pbrt/bsdftool/canvas.h"
 #include "pbrt/bsdftool/lobe_plot.h"
+#include "pbrt/plot/axis.h"
+#include "pbrt/plot/canvas.h"
 
 namespace pbrt::bsdftool {
 namespace {
+
+using namespace plot;
 
 constexpr double kFont = 12, kSmall = 10;
 constexpr double kMargin = 60, kTop = 64, kAbove = 26, kBelow = 52, kRight = 24;

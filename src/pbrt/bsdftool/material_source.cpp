@@ -97,7 +97,6 @@ std::optional<MaterialSource> ReadMaterial(const std::string &source, const std:
     const NamedTextures textures = BuildTextures(scene, Transform(), log);
     ParamDict params(entity.params, entity.loc, fmt::format("material \"{}\"", entity.type),
                      entity.colorSpace, &log, scene.dir);
-    if (!chosen->name.empty()) params.GetOneString("type", "");  // of MakeNamedMaterial
     std::optional<Material> material = CreateMaterial(entity.type, params, textures);
     if (!material || log.ErrorCount() > before) return {};
     return MaterialSource{entity.type, std::move(*material)};

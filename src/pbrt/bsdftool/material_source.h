@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "pbrt/materials/material.h"
+#include "pbrt/materials/materials.h"
 
 namespace pbrt::bsdftool {
 

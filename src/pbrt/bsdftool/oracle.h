@@ -8,7 +8,5 @@ namespace pbrt::bsdftool {
 /// Integrates TRT so finely that only edges of what is seen are left as error: rms 3e-6 of the mean
 /// for films up to 2 um, 5 ms per pair of directions.
 using OracleQuadrature = feather::Converged<16, 8>;
-/// For statistics over many pairs, in a quarter of the time: 5e-6, for strongly bent barbules 1e-4.
-using QuickOracleQuadrature = feather::Converged<8, 4>;
 
 }  // namespace pbrt::bsdftool

@@ -15,32 +15,29 @@ struct Options {
     ScatterogramOptions picture;
 };
 
-std::optional<Outcome> ParseOptions(Args args, Options *o) {
-    CLI::App app(
-        "Pictures of the light that a material scatters, for each light one disc of its own side "
-        "and one of the other, seen from above: the point (x, y) of a disc is the direction with "
-        "these components. What passes straight through gaps, or is mirrored exactly, is not seen.",
-        "bsdftool plot");
-    AddMaterial(&app, &o->common);
-    app.add_option("--light", o->lights,
-                   "where the light is, degrees; may be repeated (default: 30,0)")
-        ->allow_extra_args(false)
-        ->type_name("theta,phi");
-    cli::AddChoice(&app, "--value", &o->value, {"fcos", "f"},
+constexpr char kDescription[] =
+    "Pictures of the light that a material scatters, for each light one disc of its own side "
+    "and one of the other, seen from above: the point (x, y) of a disc is the direction with "
+    "these components. What passes straight through gaps, or is mirrored exactly, is not seen.";
+
+void DefineOptions(CLI::App *app, Options *o) {
+    AddMaterial(app, &o->common);
+    cli::AddRepeated(app, "--light", &o->lights,
+                     "where the light is, degrees; may be repeated (default: 30,0)", "theta,phi");
+    cli::AddChoice(app, "--value", &o->value, {"fcos", "f"},
                    "fcos (default): f times the cosine of the scattered direction; f: f itself");
     cli::AddNumber(
-        &app, "--exposure", &o->exposure, cli::kAboveZero,
+        app, "--exposure", &o->exposure, cli::kAboveZero,
         "factor of the PNG's values (default: such that one in a hundred is too bright)");
-    cli::AddNumber(&app, "--resolution", &o->picture.resolution, {.lo = 8, .hi = 4096},
+    cli::AddNumber(app, "--resolution", &o->picture.resolution, {.lo = 8, .hi = 4096},
                    "pixels across a disc (default: 256)");
-    cli::AddNumber(&app, "--subpixels", &o->picture.subpixels, {.lo = 1, .hi = 64},
+    cli::AddNumber(app, "--subpixels", &o->picture.subpixels, {.lo = 1, .hi = 64},
                    "directions per pixel, each way (default: 2)");
-    cli::AddNumber(&app, "--wavelengths", &o->picture.wavelengths, {.lo = 4, .hi = 4096},
+    cli::AddNumber(app, "--wavelengths", &o->picture.wavelengths, {.lo = 4, .hi = 4096},
                    "how many make up a color (default: 40; films of many micrometres need more)");
-    AddIlluminant(&app, &o->common);
-    app.add_option("--exr", o->exr, "file for the values: linear sRGB without exposure");
-    app.add_option("--png", o->png, "file for a sheet with axes");
-    return cli::Parse(&app, args);
+    AddIlluminant(app, &o->common);
+    cli::AddText(app, "--exr", &o->exr, "file for the values: linear sRGB without exposure");
+    cli::AddText(app, "--png", &o->png, "file for a sheet with axes");
 }
 
 std::vector<LightAngles> ReadLights(const std::vector<std::string> &texts, Diagnostics &log) {
@@ -68,11 +65,7 @@ void CheckOutputs(const Options &o, Diagnostics &log) {
     CheckWritable(o.png, log);
 }
 
-}  // namespace
-
-Outcome RunPlot(Args args) {
-    Options o;
-    if (auto end = ParseOptions(args, &o)) return *end;
+Outcome WithOptions(Options &o) {
     Diagnostics log;
     const auto source = ReadMaterial(o.common, log);
     const Spectrum illuminant = ReadIlluminant(o.common, log);
@@ -95,6 +88,12 @@ Outcome RunPlot(Args args) {
                                       o.picture.timesCosine ? "f cos(theta) [1/sr]" : "f [1/sr]"),
               log);
     return Finish(log, fmt::format("exposure {:.6g}\n", exposure));
+}
+
+}  // namespace
+
+Outcome RunPlot(Args args) {
+    return cli::RunWithOptions(args, "bsdftool plot", kDescription, DefineOptions, WithOptions);
 }
 
 }  // namespace pbrt::bsdftool

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 
-#include "pbrt/bsdftool/axis.h"
-#include "pbrt/bsdftool/canvas.h"
 #include "pbrt/bsdftool/reflectance.h"
+#include "pbrt/plot/axis.h"
+#include "pbrt/plot/canvas.h"
 
 namespace pbrt::bsdftool {
 namespace {
+
+using namespace plot;
 
 constexpr int kWidth = 900, kHeight = 640;
 constexpr double kFont = 13, kLeft = 80, kRight = 790, kTop = 56, kBottom = 440;
@@ -61,10 +63,11 @@ void DrawStrip(Canvas &canvas, const ReflectanceTable &table, const std::string 
     }
     const float factor = brightest > 0 ? 1 / brightest : 1;
     const double width = (kRight - kLeft) / double(colors.size());
+    const ColorEncoding sRGB{ColorEncoding::Kind::sRGB};
     const size_t every = std::max<size_t>(1, (colors.size() + 17) / 18);
     for (size_t i = 0; i < colors.size(); ++i) {
         const auto encoded = [&](int c) {
-            return double(LinearToSRGB(std::clamp(colors[i][c] * factor, 0.f, 1.f)));
+            return double(sRGB.FromLinear(std::clamp(colors[i][c] * factor, 0.f, 1.f)));
         };
         const double left = kLeft + width * double(i);
         canvas.Fill({left, kStripTop}, {width + 0.5, kStripBottom - kStripTop},

@@ -11,32 +11,27 @@ struct Options {
     ReflectanceOptions reflectance;
 };
 
-std::optional<Outcome> ParseOptions(Args args, Options *o) {
-    CLI::App app(
-        "Reflectance of a material (what it scatters back to the side that the light comes from) "
-        "against wavelength and angle of incidence, and the colors this makes.",
-        "bsdftool spectrum");
-    AddMaterial(&app, &o->common);
-    app.add_option("--thetas", o->thetas,
-                   "angles to the normal in degrees, [-90, 90] (default: 0 to 85 by 5)")
-        ->type_name("theta,theta,...");
-    cli::AddNumber(&app, "--phi", &o->reflectance.phi, {.lo = -360, .hi = 360},
+constexpr char kDescription[] =
+    "Reflectance of a material (what it scatters back to the side that the light comes from) "
+    "against wavelength and angle of incidence, and the colors this makes.";
+
+void DefineOptions(CLI::App *app, Options *o) {
+    AddMaterial(app, &o->common);
+    cli::AddText(app, "--thetas", &o->thetas,
+                 "angles to the normal in degrees, [-90, 90] (default: 0 to 85 by 5)",
+                 "theta,theta,...");
+    cli::AddNumber(app, "--phi", &o->reflectance.phi, {.lo = -360, .hi = 360},
                    "azimuth from x (across barbules) towards y (along them), degrees (default: 0)");
-    cli::AddNumber(&app, "--step", &o->reflectance.step, {.lo = 0.1, .hi = 50},
+    cli::AddNumber(app, "--step", &o->reflectance.step, {.lo = 0.1, .hi = 50},
                    "between wavelengths, nm (default: 2)");
-    cli::AddNumber(&app, "--samples", &o->reflectance.samples, {.lo = 16, .hi = 1 << 24},
+    cli::AddNumber(app, "--samples", &o->reflectance.samples, {.lo = 16, .hi = 1 << 24},
                    "directions drawn per angle and four wavelengths (default: 2048)");
-    AddIlluminant(&app, &o->common);
-    app.add_option("--csv", o->csv, "file for theta,phi,lambda,reflectance and parts");
-    app.add_option("--png", o->png, "file for a plot: curves, and a strip of colors");
-    return cli::Parse(&app, args);
+    AddIlluminant(app, &o->common);
+    cli::AddText(app, "--csv", &o->csv, "file for theta,phi,lambda,reflectance and parts");
+    cli::AddText(app, "--png", &o->png, "file for a plot: curves, and a strip of colors");
 }
 
-}  // namespace
-
-Outcome RunSpectrum(Args args) {
-    Options o;
-    if (auto end = ParseOptions(args, &o)) return *end;
+Outcome WithOptions(Options &o) {
     Diagnostics log;
     const auto source = ReadMaterial(o.common, log);
     const Spectrum illuminant = ReadIlluminant(o.common, log);
@@ -49,6 +44,12 @@ Outcome RunSpectrum(Args args) {
     if (!o.png.empty())
         WriteText(o.png, ReflectanceChart(table, o.common.material, o.common.illuminant), log);
     return Finish(log, ColorTable(table));
+}
+
+}  // namespace
+
+Outcome RunSpectrum(Args args) {
+    return cli::RunWithOptions(args, "bsdftool spectrum", kDescription, DefineOptions, WithOptions);
 }
 
 }  // namespace pbrt::bsdftool

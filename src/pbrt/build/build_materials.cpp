@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
-#include <unordered_map>
+#include <map>
 
 #include "pbrt/build/build_shapes.h"
+#include "pbrt/materials/materials.h"
+#include "pbrt/scene/content_hash.h"
 
 namespace pbrt {
 namespace {
@@ -50,10 +52,9 @@ class MaterialMaker {
     MaterialId AddSingle(std::string_view type, ParamDict &params) {
         std::optional<Material> material = CreateMaterial(type, params, textures);
         if (!material) return kMissingMaterialId;
-        const MaterialId id = int(scene.materials.size());
-        if (const std::string_view laid = LaidByUV(*material); !laid.empty())
+        const MaterialId id = scene.materials.Add(std::move(*material));
+        if (const std::string_view laid = scene.materials.LaidByUV(size_t(id)); !laid.empty())
             table.laidByUV.emplace(id, laid);
-        scene.materials.push_back(std::move(*material));
         return id;
     }
 
@@ -68,53 +69,30 @@ class MaterialMaker {
     std::vector<int> partsOf;  ///< by mix: single materials in it, repeated ones counted
 };
 
-/// Finds directives that say the same: many scenes give every shape a material of its own, and few
-/// different ones.
-class EqualMaterials {
-  public:
-    /// All but the places.
-    std::string ContentOf(Entity entity) {
-        entity.loc = {};
-        for (ParsedParameter &p : entity.params)
-            p.loc = p.valueLoc = {};
-        std::string content;
-        packer.Write(entity, &content);
-        return content;
-    }
-    std::optional<MaterialId> Find(const std::string &content) const {
-        const auto found = made.find(content);
-        if (found == made.end()) return {};
-        return found->second;
-    }
-    void Note(std::string content, MaterialId id) { made.emplace(std::move(content), id); }
-
-  private:
-    EntitySerializer packer;
-    std::unordered_map<std::string, MaterialId> made;
-};
-
 }  // namespace
 
 MaterialTable BuildMaterials(SceneDescription &description, const NamedTextures &textures,
                              RenderScene &scene, Diagnostics &log) {
     MaterialTable table;
     MaterialMaker maker(description, textures, scene, table, log);
-    // Growing, they would be there twice; room that is not used costs no memory.
-    scene.materials.reserve(1 + description.namedMaterials.size() + description.materials.size());
-    scene.materials.push_back(DiffuseMaterial{});
+    // Reserved up front: growing would hold two copies, and untouched memory costs nothing.
+    scene.materials.Reserve(1 + description.namedMaterials.size() + description.materials.size());
+    scene.materials.Add(DiffuseMaterial{});
     for (const NamedMaterialEntity &entity : description.namedMaterials)
         table.named[entity.name] = maker.Add(entity);
-    EqualMaterials equals;
+    // Many scenes give every shape a material of its own, and few different ones.
+    std::map<ContentHash, MaterialId> made;
     while (!description.materials.empty()) {
         const Entity &entity = description.materials.Take();
-        const std::string content = equals.ContentOf(entity);
-        if (const std::optional<MaterialId> known = equals.Find(content)) {
-            table.unnamed.push_back(*known);
+        const ContentHash content = HashContent(entity);
+        if (const auto known = made.find(content); known != made.end()) {
+            table.unnamed.push_back(known->second);
             continue;
         }
         const size_t messages = log.Messages().size();
         table.unnamed.push_back(maker.Add(entity));
-        if (log.Messages().size() == messages) equals.Note(content, table.unnamed.back());
+        // One that gave a message is made again where it is repeated, for the message's place.
+        if (log.Messages().size() == messages) made.emplace(content, table.unnamed.back());
     }
     return table;
 }

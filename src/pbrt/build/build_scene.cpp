@@ -17,20 +17,9 @@ ParamDict Params(const Entity &entity, std::string_view kind, std::string_view t
 
 constexpr std::array<std::string_view, 1> kAccelerators{"bvh"};
 constexpr std::array<std::string_view, 4> kSplitMethods{"sah", "middle", "equal", "hlbvh"};
-
-/// The ray tracer chooses for itself: pbrt's hints are checked and have no effect.
-void ReadAccelerator(const SceneDescription &description, Diagnostics &log) {
-    if (description.accelerator.type.empty()) return;
-    ParamDict params = Params(description.accelerator, "accelerator", description.accelerator.type,
-                              description, log);
-    if (description.accelerator.type != kAccelerators[0]) {
-        params.Error(UnknownName("accelerator", description.accelerator.type, kAccelerators));
-        return;
-    }
-    params.GetOneChoice("splitmethod", "sah", kSplitMethods);
-    params.GetOneInt("maxnodeprims", 4, 1, 255);
-    params.ReportUnused();
-}
+constexpr ChoiceParam kSplitMethod{"splitmethod", kSplitMethods[0], kSplitMethods,
+                                   "no effect: the ray tracer chooses"};
+constexpr IntParam kMaxNodePrims{"maxnodeprims", 4, 1, 255, "no effect: the ray tracer chooses"};
 
 void ReadSampling(const SceneDescription &description, const SceneOverrides &overrides,
                   RenderScene &scene, Diagnostics &log) {
@@ -52,13 +41,13 @@ void ReadSampling(const SceneDescription &description, const SceneOverrides &ove
 /// than two. Not where `power` is given, which is each triangle's (PBRT_FORMAT 2.10).
 std::optional<BilinearMesh> MergedEmitter(const Geometry &geometry, ParamDict &params) {
     const auto *mesh = std::get_if<TriangleMesh>(&geometry.shape);
-    if (!mesh || params.Has("power") || !geometry.alpha.IsConstant()) return {};
+    if (!mesh || params.Has(kLightPower) || !geometry.alpha.IsConstant()) return {};
     return AsParallelogram(*mesh);
 }
 
 void BuildLights(const SceneDescription &description, const std::vector<EmissiveShape> &emitters,
                  RenderScene &scene, Diagnostics &log) {
-    const Transform &renderFromWorld = scene.camera.RenderFromWorld();
+    const Transform &renderFromWorld = Placement(scene.camera).renderFromWorld;
     for (const LightEntity &entity : description.lights) {
         ParamDict params = Params(entity, "light", entity.type, description, log);
         if (auto light = CreateLight(entity.type, params, renderFromWorld * entity.worldFromLight))
@@ -89,24 +78,40 @@ void BuildLights(const SceneDescription &description, const std::vector<Emissive
 
 }  // namespace
 
-std::unique_ptr<RenderScene> BuildScene(SceneDescription &description,
+std::span<const std::string_view> AcceleratorNames() {
+    return kAccelerators;
+}
+
+void ReadAccelerator(std::string_view type, ParamDict &params) {
+    if (type != kAccelerators[0]) {
+        params.Error(UnknownName("accelerator", type, kAccelerators));
+        return;
+    }
+    params.GetOneChoice(kSplitMethod);
+    params.GetOneInt(kMaxNodePrims);
+    params.ReportUnused();
+}
+
+std::unique_ptr<RenderScene> BuildScene(SceneDescription &&description,
                                         const SceneOverrides &overrides, Diagnostics &log) {
     auto scene = std::make_unique<RenderScene>();
     scene->options = description.options;
     scene->film = Film::Create(description, overrides.film, log);
-    scene->camera = Camera::Create(description, scene->film.FullResolution(), log);
-    scene->film.SetSpaces(scene->camera.RenderFromCamera().Inverse(),
-                          scene->camera.RenderFromWorld().Inverse());
-    scene->film.SetExposure(scene->camera.ShutterClose() - scene->camera.ShutterOpen());
+    scene->camera = CreateCamera(description, scene->film.FullResolution(), log);
+    const CameraPlacement &placement = Placement(scene->camera);
+    scene->film.SetSpaces(placement.renderFromCamera.Inverse(),
+                          placement.renderFromWorld.Inverse());
+    scene->film.SetExposure(placement.shutterClose - placement.shutterOpen);
     ReadSampling(description, overrides, *scene, log);
-    ReadAccelerator(description, log);
+    if (const Entity &accelerator = description.accelerator; !accelerator.type.empty()) {
+        ParamDict params = Params(accelerator, "accelerator", accelerator.type, description, log);
+        ReadAccelerator(accelerator.type, params);
+    }
 
-    const NamedTextures textures = BuildTextures(description, scene->camera.RenderFromWorld(), log);
+    const NamedTextures textures = BuildTextures(description, placement.renderFromWorld, log);
     scene->filtersTextures =
         textures.readFootprints && !description.options.disableTextureFiltering;
     MaterialTable materials = BuildMaterials(description, textures, *scene, log);
-    for (const Material &m : scene->materials)
-        scene->uniform.push_back(IsUniform(m));
     const BuiltShapes shapes = BuildShapes(description, textures, materials, *scene, log);
     if (log.HasErrors()) return nullptr;
 

@@ -14,7 +14,8 @@ namespace {
 constexpr double kBytesPerInstance = 700;
 /// Geometries and instances share numbers of 32 bits.
 constexpr double kMostIds = 4e9;
-constexpr FloatParam kAlpha{"alpha", "", 1, 0, 1, "coverage: below 1 is a random cut-out"};
+constexpr FloatParam kAlpha{"alpha", "", 1,
+                            0,       1,  "coverage of the surface: below 1 is a random cut-out"};
 
 /// A mesh of several faces whose uv are not given: each face has those of its own corners.
 bool LacksUV(const Shape &shape) {
@@ -43,7 +44,7 @@ class ShapeBuilder {
     void Add(const ShapeEntity &entity, const Transform &renderFromObject, bool instanced) {
         ParamDict params(entity.params, entity.loc, fmt::format("shape \"{}\"", entity.type),
                          entity.colorSpace, &log, description.dir);
-        const FloatTexture alpha = GetFloatTexture(params, textures, kAlpha);
+        const FloatTexture alpha = GetAlpha(params, textures);
         std::vector<Shape> shapes = CreateShapes(entity, params, renderFromObject);
         const MaterialId material = MaterialOf(entity);
         if (material == kInterfaceId) {
@@ -256,11 +257,15 @@ class ShapeBuilder {
 
 }  // namespace
 
+FloatTexture GetAlpha(ParamDict &params, const NamedTextures &textures) {
+    return GetFloatTexture(params, textures, kAlpha);
+}
+
 BuiltShapes BuildShapes(SceneDescription &description, const NamedTextures &textures,
                         const MaterialTable &materials, RenderScene &scene, Diagnostics &log) {
     scene.geometries.reserve(description.shapes.size());  // growing, they would be there twice
     ShapeBuilder builder(description, textures, materials, scene, log);
-    const Transform &renderFromWorld = scene.camera.RenderFromWorld();
+    const Transform &renderFromWorld = Placement(scene.camera).renderFromWorld;
     const std::vector<ShapeEntity> moving =
         builder.AddResting(description.shapes, &renderFromWorld);
     builder.AddObjects();

@@ -16,12 +16,15 @@ struct MaterialTable {
     std::vector<MaterialId> unnamed;
     NamedMaterials named;
     MaterialId fallback = 0;                          ///< the default material, diffuse 0.5
-    std::map<MaterialId, std::string_view> laidByUV;  ///< see LaidByUV; those where it is not empty
+    std::map<MaterialId, std::string_view> laidByUV;  ///< MaterialSet::LaidByUV, where not empty
     std::set<MaterialId> texturedByUV;                ///< some texture looks at the surface's uv
 };
 /// Takes the unnamed ones out of the description; of those that say the same, one is made.
 MaterialTable BuildMaterials(SceneDescription &description, const NamedTextures &textures,
                              RenderScene &scene, Diagnostics &log);
+
+/// Reads `alpha`, which every shape has.
+FloatTexture GetAlpha(ParamDict &params, const NamedTextures &textures);
 
 struct EmissiveShape {
     uint32_t geometry;

@@ -44,7 +44,7 @@ std::optional<std::string> WhyNotInverted(const Transform &t) {
 
 /// Everything that rays start from or end at.
 Bounds3f RayEnds(const RenderScene &scene) {
-    Bounds3f ends = scene.camera.Origins();
+    Bounds3f ends = Origins(scene.camera);
     ends.Grow(scene.accel->WorldBounds());
     for (const Light &light : scene.lights)
         if (const auto place = Bounds(light)) ends.Grow(place->bounds);

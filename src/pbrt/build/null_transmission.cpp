@@ -1,14 +1,16 @@
 #include "pbrt/build/null_transmission.h"
 
+#include "pbrt/build/surface_bsdf.h"
+
 namespace pbrt {
 namespace {
 
 template <typename M>
 float NullTransmissionAt(const RenderScene &scene, const M &material, bool uniform,
                          const SurfaceInteraction &sp, Vector3f d) {
-    if constexpr (HasNullTransmissionV<M>) {
+    if constexpr (M::kTraits.nullTransmission) {
         const TextureEvalContext ctx = uniform ? TextureEvalContext{} : scene.TextureContext(sp);
-        const Frame frame = material.TurnFrame(sp.ShadingFrame(), ctx);
+        const Frame frame = BSDFFrame(material, sp, ctx, d);
         return material.NullTransmission(ctx, frame.ToLocal(Normalize(-d)));
     } else {
         return 0;
@@ -20,9 +22,10 @@ float NullTransmissionAt(const RenderScene &scene, MaterialId id, const SurfaceI
                          Vector3f d) {
     const MixMaterial *const mix = scene.AsMix(id);
     if (!mix) {
-        return std::visit(
-            [&](const auto &m) { return NullTransmissionAt(scene, m, scene.uniform[id], sp, d); },
-            scene.materials[id]);
+        const bool isUniform = scene.materials.Facts(size_t(id)).isUniform;
+        return Dispatch(scene.materials.Data()[id], [&](const auto &m) {
+            return NullTransmissionAt(scene, m, isUniform, sp, d);
+        });
     }
     const float share = mix->amount.Evaluate(scene.TextureContext(sp));
     float gap = 0;

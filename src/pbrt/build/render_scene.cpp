@@ -67,11 +67,9 @@ SurfaceInteraction RenderScene::SurfaceAtWithoutError(const Hit &hit, const Ray 
 template <typename T>
 TextureFootprint<T> RenderScene::FootprintAt(const SurfaceInteractionT<T> &sp) const {
     // Sampling finer than a pixel deserves finer look-ups.
-    const float scale =
-        std::max(0.125f, 1 / std::sqrt(float(std::visit(
-                                 [](const auto &s) { return s.SamplesPerPixel(); }, sampler))));
+    const float scale = std::max(0.125f, 1 / std::sqrt(float(SamplesPerPixel(sampler))));
     TextureFootprint<T> f;
-    camera.ApproximateStep(sp.p, sp.n, scale, &f.dpdx, &f.dpdy);
+    ApproximateStep(camera, sp.p, sp.n, scale, &f.dpdx, &f.dpdy);
     // Least squares for (du, dv) in dp = dpdu du + dpdv dv.
     const T a = Dot(sp.dpdu, sp.dpdu), b = Dot(sp.dpdu, sp.dpdv), c = Dot(sp.dpdv, sp.dpdv);
     const T det = a * c - b * b;
@@ -86,19 +84,21 @@ TextureFootprint<T> RenderScene::FootprintAt(const SurfaceInteractionT<T> &sp) c
     return f;
 }
 
-TextureEvalContext RenderScene::TextureContext(const SurfaceInteraction &sp) const {
-    TextureEvalContext ctx{{}, sp.p, sp.n, sp.uv, sp.faceIndex};
+TextureEvalContext RenderScene::TextureContext(const SurfaceInteraction &sp,
+                                               ClampCounts *clamped) const {
+    TextureEvalContext ctx{{}, sp.p, sp.n, sp.uv, sp.faceIndex, clamped};
     if (filtersTextures) static_cast<TextureFootprint<float> &>(ctx) = FootprintAt(sp);
     return ctx;
 }
 
 void RenderScene::TextureContexts(const SurfaceInteractionX16 &sp, LaneBits lanes,
+                                  ClampCounts *clamped,
                                   std::array<TextureEvalContext, kPacketSize> *contexts) const {
     TextureFootprint<FloatX16> steps{};
     if (filtersTextures) steps = FootprintAt(sp);
     ForEachLane(lanes, [&](int i) {
-        (*contexts)[size_t(i)] = {Lane(steps, i), Lane(sp.p, i), Lane(sp.n, i), Lane(sp.uv, i),
-                                  sp.faceIndex[i]};
+        (*contexts)[size_t(i)] = {Lane(steps, i), Lane(sp.p, i),   Lane(sp.n, i),
+                                  Lane(sp.uv, i), sp.faceIndex[i], clamped};
     });
 }
 
@@ -113,7 +113,7 @@ bool RenderScene::HasNullTransmission(MaterialId id) const {
     if (options.forceDiffuse) return false;
     if (const MixMaterial *mix = AsMix(id))
         return HasNullTransmission(mix->materials[0]) || HasNullTransmission(mix->materials[1]);
-    return id >= 0 && pbrt::HasNullTransmission(materials[id]);
+    return id >= 0 && materials.Facts(size_t(id)).nullTransmission;
 }
 
 }  // namespace pbrt

@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "pbrt/accel/accel.h"
-#include "pbrt/cameras/camera.h"
+#include "pbrt/cameras/cameras.h"
 #include "pbrt/films/film.h"
 #include "pbrt/filters/filters.h"
 #include "pbrt/lights/lights.h"
-#include "pbrt/materials/material.h"
+#include "pbrt/materials/material_set.h"
 #include "pbrt/materials/mix.h"
 #include "pbrt/samplers/samplers.h"
 
@@ -21,7 +21,7 @@ struct RenderScene {
     std::vector<Geometry> geometries;
     std::vector<ObjectRange> objects;
     std::vector<Instance> instances;
-    std::vector<Material> materials;
+    MaterialSet materials;
     std::vector<MixMaterial> mixes;  ///< their ids start at kFirstMix
     std::vector<Light> lights;
     std::deque<Shape> emitterShapes;  ///< of lights whose form is not a geometry's
@@ -35,7 +35,6 @@ struct RenderScene {
     Options options;
     bool filtersTextures = false;  ///< some texture reads the steps per pixel
     bool isAnimated = false;       ///< time matters
-    std::vector<bool> uniform;     ///< by material: see IsUniform
 
     /// Index of the light that a hit on an emissive geometry belongs to.
     static int LightOf(const Geometry &geometry, uint32_t primitive) {
@@ -50,18 +49,21 @@ struct RenderScene {
                                     LaneBits lanes) const;
     /// Point and frames only; see pbrt::SurfaceAtWithoutError.
     SurfaceInteraction SurfaceAtWithoutError(const Hit &hit, const Ray &ray) const;
-    TextureEvalContext TextureContext(const SurfaceInteraction &sp) const;
+    /// `clamped`: counts values out of range, unless null.
+    TextureEvalContext TextureContext(const SurfaceInteraction &sp,
+                                      ClampCounts *clamped = nullptr) const;
     /// TextureContext for the given lanes.
-    void TextureContexts(const SurfaceInteractionX16 &sp, LaneBits lanes,
+    void TextureContexts(const SurfaceInteractionX16 &sp, LaneBits lanes, ClampCounts *clamped,
                          std::array<TextureEvalContext, kPacketSize> *contexts) const;
 
     const MixMaterial *AsMix(MaterialId id) const {
         return id >= kFirstMix ? &mixes[id - kFirstMix] : nullptr;
     }
     /// The material that a ray of direction d meets, where `id` is a mix.
-    MaterialId MaterialMet(MaterialId id, const SurfaceInteraction &sp, Vector3f d) const {
+    MaterialId MaterialMet(MaterialId id, const SurfaceInteraction &sp, Vector3f d,
+                           ClampCounts *clamped = nullptr) const {
         while (const MixMaterial *mix = AsMix(id))
-            [[unlikely]] id = mix->Choose(TextureContext(sp), d, id);
+            [[unlikely]] id = mix->Choose(TextureContext(sp, clamped), d, id);
         return id;
     }
     /// Geometries below this stand in the scene as they are; the others only in instances.

@@ -1,23 +1,23 @@
 #pragma once
 
 #include <algorithm>
-#include <variant>
 
-#include "pbrt/build/render_scene.h"
+#include "pbrt/build/visit_bsdf.h"
 #include "pbrt/bxdfs/albedo.h"
-#include "pbrt/bxdfs/diffuse.h"
+#include "pbrt/bxdfs/diffuse_bxdf.h"
+#include "pbrt/materials/materials.h"
 
 namespace pbrt {
 
 /// The frame in which a material's BSDF lives, for a ray of direction d.
-template <typename M>
+template <MaterialType M>
 Frame BSDFFrame(const M &material, const SurfaceInteraction &sp, const TextureEvalContext &ctx,
                 Vector3f d) {
-    if constexpr (requires { M::kIsotropic; })
+    if constexpr (M::kTraits.isotropic)
         return Frame::FromZ(sp.ns);
-    else if constexpr (IsFibre<M>)
+    else if constexpr (M::kTraits.fibre)
         return sp.FibreFrame(d);
-    else if constexpr (TurnsFrame<M>)
+    else if constexpr (M::kTraits.turnsFrame)
         return material.TurnFrame(sp.ShadingFrame(), ctx);
     else
         return sp.ShadingFrame();
@@ -26,7 +26,7 @@ Frame BSDFFrame(const M &material, const SurfaceInteraction &sp, const TextureEv
 /// The matte surface that reflects as much towards wo as `bxdf`, at most 1: what Option
 /// "forcediffuse" makes of every surface. Mirrors and glass become matte, and nothing is let
 /// through. pbrt-v4 takes a random estimate of the same; this one has the errors of AlbedoOf.
-template <BxDFModel B>
+template <BxDFType B>
 DiffuseBxDF DiffuseOf(const B &bxdf, Vector3f wo) {
     SampledSpectrum albedo = AlbedoOf(bxdf, wo);
     for (int k = 0; k < NSpectrumSamples; ++k)
@@ -34,14 +34,14 @@ DiffuseBxDF DiffuseOf(const B &bxdf, Vector3f wo) {
     return DiffuseBxDF(albedo);
 }
 
-/// Calls visit(frame, bxdf) with the BSDF of the surface that `ray` hits, whatever its material; a
-/// mix chooses. The material may terminate wavelengths. All calls return the same type.
 template <typename F>
 decltype(auto) VisitBSDF(const RenderScene &scene, const Hit &hit, const SurfaceInteraction &sp,
-                         const Ray &ray, SampledWavelengths *lambda, F &&visit) {
-    const MaterialId id = scene.MaterialMet(scene.geometries[hit.geometry].material, sp, ray.d);
-    const TextureEvalContext ctx = scene.TextureContext(sp);
-    return Dispatch(scene.materials[size_t(id)], [&](const auto &material) {
+                         const Ray &ray, SampledWavelengths *lambda, ClampCounts *clamped,
+                         F &&visit) {
+    const MaterialId id =
+        scene.MaterialMet(scene.geometries[hit.geometry].material, sp, ray.d, clamped);
+    const TextureEvalContext ctx = scene.TextureContext(sp, clamped);
+    return Dispatch(scene.materials.Data()[id], [&](const auto &material) {
         const Frame frame = BSDFFrame(material, sp, ctx, ray.d);
         const auto bxdf = material.GetBxDF(ctx, *lambda);
         if (scene.options.forceDiffuse) [[unlikely]]

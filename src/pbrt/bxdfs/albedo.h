@@ -2,13 +2,13 @@
 
 #include <cmath>
 
-#include "pbrt/bxdfs/bxdf.h"
+#include "pbrt/base/bxdf.h"
 
 namespace pbrt {
 
 /// Share of even light from all around that a BxDF sends to wo, straight passage included, from 16
 /// fixed samples: exact where sampling is, some hundredths off for others.
-template <BxDFModel B>
+template <BxDFType B>
 SampledSpectrum AlbedoOf(const B &bxdf, Vector3f wo) {
     constexpr int kSamples = 16;
     SampledSpectrum sum(0);

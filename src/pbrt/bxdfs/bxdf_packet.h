@@ -1,31 +1,15 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
-#include "pbrt/bxdfs/bxdf.h"
-#include "pbrt/bxdfs/diffuse.h"
-#include "pbrt/util/wide.h"
+#include "pbrt/base/bxdf.h"
 
 namespace pbrt {
 
-/// f and PDF of sixteen pairs of directions.
-struct BxDFValues {
-    std::array<SampledSpectrum, kPacketSize> f;
-    FloatX16 pdf{};
-};
-
-/// Sixteen of BSDFSample; only the `valid` lanes mean something.
-struct BxDFSamples {
-    std::array<SampledSpectrum, kPacketSize> f;
-    Vector3fX16 wi{};
-    FloatX16 pdf{};
-    FloatX16 eta = Broadcast16(1.f);
-    LaneBits valid = 0, specular = 0, nullTransmission = 0, transmission = 0;
-};
-
-/// The BxDFs of sixteen surfaces, one by one.
-template <typename BxDF>
-class BxDFPacket {
+/// Any sixteen BxDFs of a type, one by one.
+template <BxDFType BxDF>
+class OneByOnePacket {
   public:
     void Set(int i, const BxDF &bxdf) { lanes[size_t(i)].emplace(bxdf); }
     void Regularize(int i) { pbrt::Regularize(*lanes[size_t(i)]); }
@@ -34,7 +18,8 @@ class BxDFPacket {
     BxDFValues Evaluate(const Vector3fX16 &wo, const Vector3fX16 &wi, LaneBits active) const {
         BxDFValues values;
         ForEachLane(active, [&](int i) {
-            const BSDFEval both = Evaluate(*lanes[size_t(i)], Lane(wo, i), Lane(wi, i));
+            const BSDFEval both = pbrt::Evaluate(*lanes[size_t(i)], Lane(wo, i), Lane(wi, i),
+                                                 TransportMode::Radiance);
             values.f[size_t(i)] = both.f;
             values.pdf[i] = both.pdf;
         });
@@ -61,46 +46,28 @@ class BxDFPacket {
     }
 
   private:
-    static BSDFEval Evaluate(const BxDF &bxdf, Vector3f wo, Vector3f wi) {
-        constexpr auto mode = TransportMode::Radiance;
-        if constexpr (requires { bxdf.Evaluate(wo, wi, mode); })
-            return bxdf.Evaluate(wo, wi, mode);
-        else
-            return {bxdf.f(wo, wi, mode), bxdf.PDF(wo, wi, mode)};
-    }
     std::array<std::optional<BxDF>, kPacketSize> lanes;
 };
 
-/// Matt surfaces side by side: DiffuseBxDF's formulas.
-template <>
-class BxDFPacket<DiffuseBxDF> {
-  public:
-    void Set(int i, const DiffuseBxDF &bxdf) { f0[size_t(i)] = bxdf.Value(); }
-    void Regularize(int) {}
-    BxDFFlags Flags(int i) const {
-        return f0[size_t(i)] ? BxDFFlags::Diffuse | BxDFFlags::Reflection : BxDFFlags::Unset;
-    }
-    BxDFValues Evaluate(const Vector3fX16 &wo, const Vector3fX16 &wi, LaneBits active) const {
-        BxDFValues values;
-        const FloatX16 cosine = wi.z * CopySign(1.f, wo.z);
-        ForEachLane(active & BitsOf(cosine > 0.f),
-                    [&](int i) { values.f[size_t(i)] = f0[size_t(i)]; });
-        values.pdf = Max(cosine, 0.f) * InvPi;
-        return values;
-    }
-    BxDFSamples Sample(const Vector3fX16 &wo, const FloatX16 &, const Point2fX16 &u,
-                       LaneBits active) const {
-        BxDFSamples samples;
-        samples.wi = SampleCosineHemisphere(u);
-        samples.pdf = samples.wi.z * InvPi;
-        samples.wi.z = CopySign(samples.wi.z, wo.z);
-        samples.f = f0;
-        samples.valid = active & BitsOf(samples.pdf > 0.f);
-        return samples;
-    }
-
-  private:
-    std::array<SampledSpectrum, kPacketSize> f0;
+namespace detail {
+template <BxDFType B>
+struct PacketOf {
+    using Packet = OneByOnePacket<B>;
+    using Input = B;
 };
+template <BxDFType B>
+requires(B::kTraits.hasPacket) struct PacketOf<B> {
+    using Packet = typename B::Packet;
+    using Input = typename B::PacketInput;
+};
+}  // namespace detail
+
+/// Sixteen BxDFs of type B, as a BxDFPacketType: B's own packet, or one by one. Where B announces a
+/// packet whose header is not included, the type is incomplete and the program does not compile.
+template <BxDFType B>
+using BxDFPacket = typename detail::PacketOf<B>::Packet;
+/// What a lane of BxDFPacket<B> is made of; B itself unless it has a packet of its own.
+template <BxDFType B>
+using BxDFPacketInput = typename detail::PacketOf<B>::Input;
 
 }  // namespace pbrt

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "pbrt/util/diagnostics.h"
@@ -29,6 +30,49 @@ void Refuse(const std::string &option, const std::string &wanted, const std::str
                                fmt::format("expected {}, found {}", wanted, Shortened(text)));
 }
 
+CLI::Option *AddWord(CLI::App *app, const std::string &option,
+                     std::function<void(const std::string &word)> read, const std::string &doc,
+                     const std::string &form) {
+    return app->add_option_function<std::string>(option, std::move(read), doc)->type_name(form);
+}
+
+CLI::Option *AddText(CLI::App *app, const std::string &option, std::string *value,
+                     const std::string &doc, const std::string &form) {
+    return app->add_option(option, *value, doc)->type_name(form);
+}
+
+void AddRequired(CLI::App *app, const std::string &option, std::string *value,
+                 const std::string &doc) {
+    app->add_option(option, *value, doc)->required();
+}
+
+void AddRequired(CLI::App *app, const std::string &argument, std::vector<std::string> *values,
+                 const std::string &doc) {
+    app->add_option(argument, *values, doc)->required();
+}
+
+void AddTexts(CLI::App *app, const std::string &argument, std::vector<std::string> *values,
+              const std::string &doc) {
+    app->add_option(argument, *values, doc);
+}
+
+void AddRepeated(CLI::App *app, const std::string &option, std::vector<std::string> *values,
+                 const std::string &doc, const std::string &form) {
+    app->add_option(option, *values, doc)->allow_extra_args(false)->type_name(form);
+}
+
+void AddFlag(CLI::App *app, const std::string &option, bool *value, const std::string &doc) {
+    app->add_flag(option, *value, doc);
+}
+
+void Exclude(CLI::Option *option, CLI::Option *other) {
+    option->excludes(other);
+}
+
+void AddFooter(CLI::App *app, const std::string &text) {
+    app->footer(text);
+}
+
 std::vector<std::string> SplitList(const std::string &text) {
     std::vector<std::string> words{""};
     for (const char c : text)
@@ -47,7 +91,7 @@ CLI::Option *AddNames(CLI::App *app, const std::string &option, std::vector<std:
             Refuse(option, fmt::format("names such as {}", parts), text);
         *names = words;
     };
-    return app->add_option_function<std::string>(option, read, doc)->type_name(parts);
+    return AddWord(app, option, read, doc, parts);
 }
 
 CLI::Option *AddChoice(CLI::App *app, const std::string &option, std::string *value,
@@ -58,8 +102,7 @@ CLI::Option *AddChoice(CLI::App *app, const std::string &option, std::string *va
             Refuse(option, QuotedList(names), text + DidYouMean(text, names));
         *value = text;
     };
-    return app->add_option_function<std::string>(option, read, doc)
-        ->type_name(fmt::format("{}", fmt::join(names, "|")));
+    return AddWord(app, option, read, doc, fmt::format("{}", fmt::join(names, "|")));
 }
 
 }  // namespace pbrt::cli

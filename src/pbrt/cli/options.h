@@ -1,10 +1,9 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <limits>
 #include <optional>
@@ -15,8 +14,14 @@
 
 #include "pbrt/util/parse_number.h"
 
-// Options of programs. Each takes one word, lists too (`--crop 0,9,0,9`), so that what follows is
-// never taken for a part of it; --help and messages say what the word may be.
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+// Options of programs; those without dashes are arguments, in the order of their definition. Each
+// takes one word, lists too (`--crop 0,9,0,9`), so that what follows is never taken for a part of
+// it; --help and messages say what the word may be.
 namespace pbrt::cli {
 
 /// The numbers an option takes: finite ones in [lo, hi], or (lo, hi] where `above`.
@@ -39,6 +44,31 @@ std::string InSigns(const Domain &domain);
 [[noreturn]] void Refuse(const std::string &option, const std::string &wanted,
                          const std::string &text);
 
+/// `option` takes one word, which `read` takes or Refuses. `form` stands for it in --help.
+CLI::Option *AddWord(CLI::App *app, const std::string &option,
+                     std::function<void(const std::string &word)> read, const std::string &doc,
+                     const std::string &form);
+
+/// `option` takes any word.
+CLI::Option *AddText(CLI::App *app, const std::string &option, std::string *value,
+                     const std::string &doc, const std::string &form = "TEXT");
+/// The same where it must be given.
+void AddRequired(CLI::App *app, const std::string &option, std::string *value,
+                 const std::string &doc);
+/// An argument of one word or more, or where it need not be given, of any number.
+void AddRequired(CLI::App *app, const std::string &argument, std::vector<std::string> *values,
+                 const std::string &doc);
+void AddTexts(CLI::App *app, const std::string &argument, std::vector<std::string> *values,
+              const std::string &doc);
+/// `option` takes one word each time it is given.
+void AddRepeated(CLI::App *app, const std::string &option, std::vector<std::string> *values,
+                 const std::string &doc, const std::string &form = "TEXT");
+void AddFlag(CLI::App *app, const std::string &option, bool *value, const std::string &doc);
+/// Only one of the two may be given.
+void Exclude(CLI::Option *option, CLI::Option *other);
+/// Text below the options in --help.
+void AddFooter(CLI::App *app, const std::string &text);
+
 /// `domain` cut down to the numbers T has, on the side where the text's number is beyond them.
 template <typename T>
 Domain Representable(Domain domain, double number) {
@@ -54,10 +84,8 @@ Domain Representable(Domain domain, double number) {
 template <typename T>
 std::optional<T> ReadOne(const std::string &text, Domain *domain) {
     if constexpr (std::is_integral_v<T>) {
-        T exact;  // digits beyond those of a double
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), exact);
-        if (error == std::errc() && end == text.data() + text.size())
-            return domain->Holds(double(exact)) ? std::optional<T>(exact) : std::nullopt;
+        if (const std::optional<T> exact = ParseWhole<T>(text))  // digits beyond those of a double
+            return domain->Holds(double(*exact)) ? exact : std::nullopt;
     }
     const std::optional<double> number = ParseNumber(text);
     if (!number) return {};
@@ -83,8 +111,7 @@ CLI::Option *AddNumber(CLI::App *app, const std::string &option, T *value, const
             Refuse(option, (kWhole ? "a whole number" : "a number") + InWords(named), text);
         *value = *number;
     };
-    return app->add_option_function<std::string>(option, read, doc)
-        ->type_name((kWhole ? "INTEGER" : "NUMBER") + InSigns(domain));
+    return AddWord(app, option, read, doc, (kWhole ? "INTEGER" : "NUMBER") + InSigns(domain));
 }
 
 /// The parts of a list, which is words joined by commas.
@@ -110,7 +137,7 @@ CLI::Option *AddNumbers(CLI::App *app, const std::string &option, std::vector<T>
                    text);
         *values = numbers;
     };
-    return app->add_option_function<std::string>(option, read, doc)->type_name(parts);
+    return AddWord(app, option, read, doc, parts);
 }
 
 /// `option` takes names joined by commas.

@@ -2,14 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "pbrt/cli/help.h"
 #include "pbrt/cli/main.h"
 #include "pbrt/util/args.h"
-#include "pbrt/util/diagnostics.h"
 #include "pbrt/util/upstream.h"
 #include "pbrt/util/write_all.h"
 
@@ -47,26 +49,7 @@ void LastOnesCount(CLI::App *app) {
             option->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
 }
 
-}  // namespace
-
-Outcome Run(const Tool &tool, Args args) {
-    if (!args.empty() && (args[0] == "--version" || args[0] == "-version"))
-        return {0, Version() + "\n", {}};
-    const bool wantsHelp = args.empty() || args[0] == "help" || args[0] == "--help" ||
-                           args[0] == "-help" || args[0] == "-h";
-    if (wantsHelp && args.size() < 2) return {0, Manual(tool), {}};
-    const std::string &name = args[wantsHelp ? 1 : 0];
-    const auto command = std::find_if(tool.commands.begin(), tool.commands.end(),
-                                      [&](const Command &c) { return c.name == name; });
-    if (command == tool.commands.end()) return UnknownCommand(tool, name);
-    const std::string help[] = {"--help"};
-    return command->run(wantsHelp ? Args(help) : args.subspan(1));
-}
-
-Outcome Failure(std::string_view tool, std::string_view reason) {
-    return {1, {}, fmt::format("{}: {}\n", tool, Shortened(reason, kLongestMessage))};
-}
-
+/// Something is returned where the command ends here: help, the version, or a mistake.
 std::optional<Outcome> Parse(CLI::App *app, Args args) {
     app->set_help_flag("--help", "print this");
     app->set_version_flag("--version", Version(), "print the version");
@@ -95,6 +78,47 @@ std::optional<Outcome> Parse(CLI::App *app, Args args) {
         return mistake(e.what());
     }
     return {};
+}
+
+}  // namespace
+
+Outcome Run(const Tool &tool, Args args) {
+    if (!args.empty() && (args[0] == "--version" || args[0] == "-version"))
+        return {0, Version() + "\n", {}};
+    const bool wantsHelp = args.empty() || args[0] == "help" || args[0] == "--help" ||
+                           args[0] == "-help" || args[0] == "-h";
+    if (wantsHelp && args.size() < 2) return {0, Manual(tool), {}};
+    const std::string &name = args[wantsHelp ? 1 : 0];
+    const auto command = std::find_if(tool.commands.begin(), tool.commands.end(),
+                                      [&](const Command &c) { return c.name == name; });
+    if (command == tool.commands.end()) return UnknownCommand(tool, name);
+    const std::string help[] = {"--help"};
+    return command->run(wantsHelp ? Args(help) : args.subspan(1));
+}
+
+Outcome Failure(std::string_view tool, std::string_view reason) {
+    return {1, {}, fmt::format("{}: {}\n", tool, Shortened(reason, kLongestMessage))};
+}
+
+Outcome RunWithOptions(Args args, const std::string &name, const std::string &description,
+                       const std::function<void(CLI::App *app)> &define,
+                       const std::function<Outcome()> &run) {
+    CLI::App app(description, name);
+    define(&app);
+    if (std::optional<Outcome> end = Parse(&app, args)) return *std::move(end);
+    return run();
+}
+
+Outcome Finish(const Diagnostics &log, std::string out) {
+    Outcome outcome;
+    for (const Message &m : log.Messages())
+        outcome.err +=
+            fmt::format("{}: {}\n", m.severity == Severity::Error ? "Error" : "Warning", m.text);
+    if (log.HasErrors())
+        outcome.exitCode = 1;
+    else
+        outcome.out = std::move(out);
+    return outcome;
 }
 
 int Print(const Outcome &outcome) {

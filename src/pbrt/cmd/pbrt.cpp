@@ -13,6 +13,7 @@
 #include "pbrt/cli/options.h"
 #include "pbrt/cli/threads.h"
 #include "pbrt/cli/tool.h"
+#include "pbrt/reference/explain.h"
 #include "pbrt/render/mse_log.h"
 #include "pbrt/render/progress.h"
 #include "pbrt/render/statistics.h"
@@ -29,51 +30,60 @@ struct Arguments {
     std::vector<std::string> files;
     Overrides overrides;
     Options options;
-    std::string statsFile;
+    std::string statsFile, explain;
     bool stats = false, quiet = false;
+    // As written; TakeWritten puts them into `overrides`. Nothing, or 0: not given.
+    std::vector<float> crop;
+    std::vector<int> bounds, pixel;
+    int spp = 0;
 };
 
-/// Defines the options of the command line; they write into `a`.
-void DefineOptions(CLI::App &app, Arguments &a, std::vector<float> &crop, std::vector<int> &bounds,
-                   std::vector<int> &pixel, int &spp) {
-    app.add_option("files", a.files, "scene files, in order; none: standard input");
-    app.add_option("--outfile", a.overrides.film.outfile, "picture to write (.exr, .png, .pfm)");
-    cli::AddNumber(&app, "--spp", &spp, {.lo = 1, .hi = kMaxSamplesPerPixel}, "samples per pixel");
-    cli::AddNumber(&app, "--target-error", &a.overrides.targetError, cli::kAboveZero,
+void DefineOptions(CLI::App *app, Arguments *a) {
+    cli::AddTexts(app, "files", &a->files, "scene files, in order; none: standard input");
+    cli::AddText(app, "--outfile", &a->overrides.film.outfile,
+                 "picture to write (.exr, .png, .pfm)");
+    cli::AddNumber(app, "--spp", &a->spp, {.lo = 1, .hi = kMaxSamplesPerPixel},
+                   "samples per pixel");
+    cli::AddNumber(app, "--target-error", &a->overrides.targetError, cli::kAboveZero,
                    "stop sampling tiles whose estimated relative error is below this, as in 0.02; "
                    "--spp is the most");
-    cli::AddNumber(&app, "--nthreads", &a.overrides.nThreads, cli::kAboveZero,
+    cli::AddNumber(app, "--nthreads", &a->overrides.nThreads, cli::kAboveZero,
                    "threads; default: all cores");
-    cli::AddNumber(&app, "--seed", &a.options.seed, {}, "of the samplers");
-    cli::AddNumbers(&app, "--cropwindow", &crop, "x0,x1,y0,y1", {},
+    cli::AddNumber(app, "--seed", &a->options.seed, {}, "of the samplers");
+    cli::AddNumbers(app, "--cropwindow", &a->crop, "x0,x1,y0,y1", {},
                     "this part of the picture only, which is [0, 1] x [0, 1]");
     CLI::Option *const boundsOption =
-        cli::AddNumbers(&app, "--pixelbounds", &bounds, "x0,x1,y0,y1", {}, "these pixels only");
-    cli::AddNumbers(&app, "--pixel", &pixel, "x,y", {.lo = 0, .hi = kMaxResolution - 1},
-                    "this pixel only")
-        ->excludes(boundsOption);
-    cli::AddChoice(&app, "--render-coord-sys", &a.options.renderCoordSys,
+        cli::AddNumbers(app, "--pixelbounds", &a->bounds, "x0,x1,y0,y1", {}, "these pixels only");
+    CLI::Option *const pixelOption = cli::AddNumbers(
+        app, "--pixel", &a->pixel, "x,y", {.lo = 0, .hi = kMaxResolution - 1}, "this pixel only");
+    cli::Exclude(pixelOption, boundsOption);
+    cli::AddChoice(app, "--render-coord-sys", &a->options.renderCoordSys,
                    {"camera", "cameraworld", "world"}, "space to render in");
-    app.add_flag("--quick", a.overrides.film.quick, "a quarter of the resolution, one sample");
-    app.add_flag("--disable-pixel-jitter", a.options.disablePixelJitter, "pixel centres only");
-    app.add_flag("--disable-wavelength-jitter", a.options.disableWavelengthJitter,
+    cli::AddFlag(app, "--quick", &a->overrides.film.quick,
+                 "a quarter of the resolution, one sample");
+    cli::AddFlag(app, "--disable-pixel-jitter", &a->options.disablePixelJitter,
+                 "pixel centres only");
+    cli::AddFlag(app, "--disable-wavelength-jitter", &a->options.disableWavelengthJitter,
                  "the same wavelengths for every path");
-    app.add_flag("--disable-texture-filtering", a.options.disableTextureFiltering,
+    cli::AddFlag(app, "--disable-texture-filtering", &a->options.disableTextureFiltering,
                  "point-sampled textures");
-    app.add_flag("--force-diffuse", a.options.forceDiffuse,
+    cli::AddFlag(app, "--force-diffuse", &a->options.forceDiffuse,
                  "every surface matt, reflecting as much as its material does");
-    app.add_option("--mse-reference-image", a.options.mseReferenceImage,
-                   "picture without noise, to tell the error of this one");
-    app.add_option("--mse-reference-out", a.options.mseReferenceOut,
-                   "file for lines \"spp, mean squared error\" at 1, 2, 4, ... samples per pixel");
-    app.add_flag("--stats", a.stats, "print rays per second, memory and times");
-    app.add_option("--stats-file", a.statsFile, "write the same as JSON to this file");
-    app.add_flag("--quiet", a.quiet, "no progress, no warnings");
-    app.footer(
-        "examples:\n"
-        "  pbrt scene.pbrt --spp 64 --outfile picture.exr\n"
-        "  pbrt --quick --cropwindow 0.25,0.75,0,1 scene.pbrt\n"
-        "  pbrt --target-error 0.02 --spp 4096 --stats scene.pbrt\n");
+    cli::AddText(app, "--mse-reference-image", &a->options.mseReferenceImage,
+                 "picture without noise, to tell the error of this one");
+    cli::AddText(app, "--mse-reference-out", &a->options.mseReferenceOut,
+                 "file for lines \"spp, mean squared error\" at 1, 2, 4, ... samples per pixel");
+    cli::AddFlag(app, "--stats", &a->stats, "print rays per second, memory and times");
+    cli::AddText(app, "--stats-file", &a->statsFile, "write the same as JSON to this file");
+    cli::AddText(app, "--explain", &a->explain,
+                 "print the parameters of a plug-in, as of \"material hair\", or the names of a "
+                 "family, as \"material\"; all: everything as Markdown");
+    cli::AddFlag(app, "--quiet", &a->quiet, "no progress, no warnings");
+    cli::AddFooter(app,
+                   "examples:\n"
+                   "  pbrt scene.pbrt --spp 64 --outfile picture.exr\n"
+                   "  pbrt --quick --cropwindow 0.25,0.75,0,1 scene.pbrt\n"
+                   "  pbrt --target-error 0.02 --spp 4096 --stats scene.pbrt\n");
 }
 
 int Complain(const std::string &why) {
@@ -87,30 +97,20 @@ int PrintOut(std::string_view text) {
     return why ? Complain(*why) : kSuccess;
 }
 
-struct ParsedArguments {
-    Arguments arguments;
-    std::optional<int> exitCode;
-};
+cli::Outcome Explain(const std::string &what) {
+    const reference::Explanation explanation = reference::Explain(what);
+    if (explanation.error.empty()) return {kSuccess, explanation.text, {}};
+    return {kUserError, {}, fmt::format("Error: {}\n", explanation.error)};
+}
 
-ParsedArguments ParseArguments(cli::Args words) {
-    ParsedArguments result;
-    Arguments &a = result.arguments;
-    CLI::App app{"pbrt-feather: a spectral path tracer for iridescent feathers", "pbrt"};
-    std::vector<float> crop;
-    std::vector<int> bounds, pixel;
-    int spp = 0;
-    DefineOptions(app, a, crop, bounds, pixel, spp);
-    if (const auto end = cli::Parse(&app, words)) {
-        result.exitCode = cli::Print(*end);
-        return result;
-    }
-    if (spp > 0) a.overrides.spp = spp;
-    if (!crop.empty()) a.overrides.film.cropWindow = {crop[0], crop[1], crop[2], crop[3]};
-    if (!bounds.empty())
-        a.overrides.film.pixelBounds = {bounds[0], bounds[1], bounds[2], bounds[3]};
-    if (!pixel.empty())
-        a.overrides.film.pixelBounds = {pixel[0], pixel[0] + 1, pixel[1], pixel[1] + 1};
-    return result;
+void TakeWritten(Arguments &a) {
+    Overrides &o = a.overrides;
+    if (a.spp > 0) o.spp = a.spp;
+    if (!a.crop.empty()) o.film.cropWindow = {a.crop[0], a.crop[1], a.crop[2], a.crop[3]};
+    if (!a.bounds.empty())
+        o.film.pixelBounds = {a.bounds[0], a.bounds[1], a.bounds[2], a.bounds[3]};
+    if (!a.pixel.empty())
+        o.film.pixelBounds = {a.pixel[0], a.pixel[0] + 1, a.pixel[1], a.pixel[1] + 1};
 }
 
 /// The first messages; a broken file can make thousands.
@@ -139,18 +139,18 @@ struct Times {
 void AddMetadata(const RenderScene &scene, const RenderStats &stats, ImageMetadata *metadata) {
     metadata->renderTimeSeconds = float(stats.seconds);
     metadata->samplesPerPixel = int(stats.samplesPerPixel);
-    metadata->cameraFromWorld = scene.camera.CameraFromWorld().Matrix();
-    metadata->ndcFromWorld = scene.camera.NDCFromWorld().Matrix();
+    metadata->cameraFromWorld = Placement(scene.camera).cameraFromWorld.Matrix();
+    metadata->ndcFromWorld = NDCFromWorld(scene.camera).Matrix();
 }
 
-void PrintWarnings(const RenderScene &scene) {
+void PrintWarnings(const RenderScene &scene, const ClampCounts &counts) {
     const auto print = [](const std::string &text) {
         if (!text.empty()) Say(fmt::format("Warning: {}\n", text));
     };
-    for (const Material &m : scene.materials)
-        print(Warnings(m));
+    for (const std::string &text : scene.materials.Warnings(counts))
+        print(text);
     for (const MixMaterial &m : scene.mixes)
-        print(m.Warnings());
+        print(m.Warnings(counts));
 }
 
 /// Statistics to where they are wanted; the exit code.
@@ -196,7 +196,7 @@ int RenderAndWrite(const RenderTask &task, const Arguments &a, const Times &time
         &image, afterPass);
     progress.Finish(stats ? "done" : "stopped");
     if (!stats) return Stopped(*interrupts.First());
-    if (!a.quiet) PrintWarnings(scene);
+    if (!a.quiet) PrintWarnings(scene, stats->rays.clamped);
     AddMetadata(scene, *stats, &image.metadata);
     if (mse) image.metadata.mse = float(mse->Error());
     if (const auto why = WriteImageSomewhere(image, scene.film.FileName(), scene.film.Format())) {
@@ -207,10 +207,9 @@ int RenderAndWrite(const RenderTask &task, const Arguments &a, const Times &time
     return Report(CollectStatistics(scene, *stats, times.parse, times.build), a);
 }
 
-int Main(cli::Args words) {
-    ParsedArguments parsed = ParseArguments(words);
-    if (parsed.exitCode) return *parsed.exitCode;
-    Arguments &a = parsed.arguments;
+cli::Outcome Run(Arguments &a) {
+    if (!a.explain.empty()) return Explain(a.explain);
+    TakeWritten(a);
     const cli::Threads threads = cli::LimitThreads(a.overrides.nThreads);
     a.overrides.nThreads = threads.count;
 
@@ -223,7 +222,7 @@ int Main(cli::Args words) {
     ParseFiles(a.files, description, log);
     times.parse = Seconds(start);
     start = std::chrono::steady_clock::now();
-    const std::optional<RenderTask> task = MakeRenderTask(description, a.overrides, log);
+    const std::optional<RenderTask> task = MakeRenderTask(std::move(description), a.overrides, log);
     times.build = Seconds(start);
     std::optional<MseLog> mse;
     if (task) mse = OpenMseLog(*task, log);
@@ -231,14 +230,18 @@ int Main(cli::Args words) {
     if (!task || log.HasErrors()) {
         Say(fmt::format("{} error{}; no picture was written.\n", log.ErrorCount(),
                         log.ErrorCount() == 1 ? "" : "s"));
-        return kUserError;
+        return {kUserError, {}, {}};
     }
-    return RenderAndWrite(*task, a, times, mse);
+    return {RenderAndWrite(*task, a, times, mse), {}, {}};
 }
 
 }  // namespace
 }  // namespace pbrt
 
 int main(int argc, char **argv) {
-    return pbrt::cli::Main("pbrt", argc, argv, pbrt::Main);
+    return pbrt::cli::Main("pbrt", argc, argv, [](pbrt::cli::Args words) {
+        return pbrt::cli::Print(pbrt::cli::RunWithOptions(
+            words, "pbrt", "pbrt-feather: a spectral path tracer for iridescent feathers",
+            pbrt::DefineOptions, pbrt::Run));
+    });
 }

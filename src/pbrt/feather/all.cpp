@@ -43,7 +43,7 @@ template std::array<Sixteen, 4> Barbule<Sixteen, 4>::f(const View<Sixteen> &,
 template Sixteen Barbule<Sixteen, 4>::PDF(const View<Sixteen> &, const Direction<Sixteen> &) const;
 
 static_assert([] {
-    for (const Param &p : kParams)
+    for (const FloatParam &p : kParams)
         if (!p.Legal(p.def)) return false;
     return true;
 }());

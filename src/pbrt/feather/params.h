@@ -26,7 +26,7 @@ constexpr std::string_view UnitName(Unit unit) {
 }
 
 /// One numeric parameter of `Material "featherbarbule"`; every one may be a float texture.
-struct Param {
+struct FloatParam {
     std::string_view name;
     Unit unit;
     double def, lo, hi;  ///< default and legal range, both ends included
@@ -43,7 +43,7 @@ struct SpectrumParam {
 };
 
 /// The table of MODEL section 2: parsing, range errors, the manual and the tests' corners read it.
-inline constexpr std::array<Param, 6> kParams{{
+inline constexpr std::array<FloatParam, 6> kParams{{
     {"thickness", Unit::Nanometre, 590, 0, 1e6, "thickness of the keratin film"},
     {"spacing", Unit::None, 1.25, 0.01, 1e4,
      "distance between neighbouring barbules, in half-widths of a barbule"},
@@ -62,8 +62,8 @@ inline constexpr std::array<SpectrumParam, 2> kSpectrumParams{{
 }};
 
 /// The entry of kParams called `name`, which must be in the table.
-constexpr const Param &ParamNamed(std::string_view name) {
-    const Param *found = kParams.data();
+constexpr const FloatParam &ParamNamed(std::string_view name) {
+    const FloatParam *found = kParams.data();
     while (found->name != name)
         ++found;
     return *found;

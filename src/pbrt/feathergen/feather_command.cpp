@@ -12,14 +12,17 @@ Outcome Run(Args args) {
     return args.size() > 1 && args[1] == "neck" ? NeckCommand(help) : FeatherCommand(help);
 }
 
-Outcome FeatherCommand(Args args) {
-    CLI::App app(
-        "Grows a feather: meshes, textures and feather.pbrt, to be included in a scene. "
-        "\"feathergen neck --help\": a neck covered with feathers.",
-        "feathergen");
-    FeatherOptions o;
-    o.AddTo(&app);
-    if (auto end = cli::Parse(&app, args)) return *end;
+namespace {
+
+constexpr char kDescription[] =
+    "Grows a feather: meshes, textures and feather.pbrt, to be included in a scene. "
+    "\"feathergen neck --help\": a neck covered with feathers.";
+
+void DefineOptions(CLI::App *app, FeatherOptions *o) {
+    o->AddTo(app);
+}
+
+Outcome WithOptions(FeatherOptions &o) {
     Parameters parameters;
     if (const std::string problem = o.Read(&parameters); !problem.empty()) return Failure(problem);
     if (o.printPreset) return {0, ToJson(parameters), {}};
@@ -36,6 +39,12 @@ Outcome FeatherCommand(Args args) {
                                      ShapeDirectives(parameters, names))));
     if (const auto problem = files.Write(names.folder)) return Failure(*problem);
     return {};
+}
+
+}  // namespace
+
+Outcome FeatherCommand(Args args) {
+    return cli::RunWithOptions(args, "feathergen", kDescription, DefineOptions, WithOptions);
 }
 
 }  // namespace pbrt::feathergen

@@ -25,18 +25,18 @@ std::string ApplySetting(const std::string &setting, Parameters *parameters) {
 }  // namespace
 
 void FeatherOptions::AddTo(CLI::App *app) {
-    app->add_option("--preset", preset, "where parameters start from (default rock-dove-neck)");
-    app->add_option("--params", paramsFile, "JSON file of parameters, as --print-preset writes it");
-    app->add_option("--set", set, "name=value: one parameter; may be repeated")
-        ->allow_extra_args(false);
+    cli::AddText(app, "--preset", &preset, "where parameters start from (default rock-dove-neck)");
+    cli::AddText(app, "--params", &paramsFile,
+                 "JSON file of parameters, as --print-preset writes it");
+    cli::AddRepeated(app, "--set", &set, "name=value: one parameter; may be repeated");
     cli::AddNumber(app, "--seed", &seed, cli::kFromZero,
                    "another feather of the same kind (default 0)");
-    app->add_option("--out", out, "folder to write to; the scene names files as given here");
-    app->add_option(
-        "--textures", textures,
+    cli::AddText(app, "--out", &out, "folder to write to; the scene names files as given here");
+    cli::AddText(
+        app, "--textures", &textures,
         "atlas (EXR pictures, default) or ptex: how values that vary over the vane are kept");
-    app->add_flag("--print-preset", printPreset, "print the parameters as JSON and end");
-    app->footer(ParameterManual());
+    cli::AddFlag(app, "--print-preset", &printPreset, "print the parameters as JSON and end");
+    cli::AddFooter(app, ParameterManual());
 }
 
 std::string FeatherOptions::Read(Parameters *parameters) const {

@@ -15,17 +15,16 @@ struct NeckOptions {
     std::vector<double> flow{0, 0, -1};
 };
 
-std::optional<Outcome> ParseOptions(Args args, NeckOptions *o) {
-    CLI::App app(
-        "Covers a neck with overlapping feathers: a few distinct ones, many times. Writes "
-        "meshes, textures and neck.pbrt, to be included in a scene.",
-        "feathergen neck");
-    o->feather.AddTo(&app);
-    app.add_option("--surface", o->surface,
-                   "PLY file to cover, millimetres (default: a dove's neck)");
-    cli::AddNumbers(&app, "--flow", &o->flow, "x,y,z", {},
+constexpr char kDescription[] =
+    "Covers a neck with overlapping feathers: a few distinct ones, many times. Writes "
+    "meshes, textures and neck.pbrt, to be included in a scene.";
+
+void DefineOptions(CLI::App *app, NeckOptions *o) {
+    o->feather.AddTo(app);
+    cli::AddText(app, "--surface", &o->surface,
+                 "PLY file to cover, millimetres (default: a dove's neck)");
+    cli::AddNumbers(app, "--flow", &o->flow, "x,y,z", {},
                     "where feathers' tips point (default 0,0,-1)");
-    return cli::Parse(&app, args);
 }
 
 /// The kinds of feather: their parameters, files and forms.
@@ -107,11 +106,7 @@ Outcome Grow(const NeckOptions &o, const Parameters &p, Vec3d flow, const Mesh &
     return {0, contents + "\n", {}};
 }
 
-}  // namespace
-
-Outcome NeckCommand(Args args) {
-    NeckOptions o;
-    if (auto end = ParseOptions(args, &o)) return *end;
+Outcome WithOptions(NeckOptions &o) {
     Parameters p;
     std::string problem = o.feather.Read(&p);
     if (!problem.empty()) return Failure(problem);
@@ -129,6 +124,12 @@ Outcome NeckCommand(Args args) {
     if (!o.surface.empty()) surface = ReadSurface(o.surface, &problem);
     if (!surface) return Failure("--surface: " + problem);
     return Grow(o, p, Normalize(flow), *surface);
+}
+
+}  // namespace
+
+Outcome NeckCommand(Args args) {
+    return cli::RunWithOptions(args, "feathergen neck", kDescription, DefineOptions, WithOptions);
 }
 
 }  // namespace pbrt::feathergen

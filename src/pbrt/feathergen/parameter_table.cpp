@@ -10,7 +10,7 @@ using feather::ParamNamed;
 // Sizes of a rock dove's neck feather, and MODEL's figures for barbs: a strip of a cylinder of half
 // opening angle 0.78, barbules at 0.45 to the barb, width 0.015 of the feather, taper over the last
 // 40 %, tilt up to 0.5 higher within 10 % of the ramus.
-constexpr ParameterRow kTable[] = {
+constexpr FloatParam kTable[] = {
     {"rachis_length", "mm", &P::rachisLength, 24, 1, 1000, "length of the rachis"},
     {"rachis_bend", "rad", &P::rachisBend, 0.05, -3, 3, "how far the tip bends down"},
     {"rachis_sweep", "rad", &P::rachisSweep, 0.05, -3, 3, "how far the tip bends to the right"},
@@ -100,7 +100,7 @@ constexpr Preset kPresets[] = {
 
 }  // namespace
 
-std::span<const ParameterRow> ParameterTable() {
+std::span<const FloatParam> ParameterTable() {
     return kTable;
 }
 

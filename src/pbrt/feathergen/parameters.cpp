@@ -13,7 +13,7 @@ namespace {
 
 std::vector<std::string_view> ParameterNames() {
     std::vector<std::string_view> names;
-    for (const ParameterRow &row : ParameterTable())
+    for (const FloatParam &row : ParameterTable())
         names.push_back(row.name);
     return names;
 }
@@ -33,12 +33,12 @@ std::string WithUnit(std::string_view text, std::string_view unit) {
 }  // namespace
 
 Parameters::Parameters() {
-    for (const ParameterRow &row : ParameterTable())
+    for (const FloatParam &row : ParameterTable())
         this->*row.value = row.def;
 }
 
 std::string SetParameter(std::string_view name, double value, Parameters *parameters) {
-    for (const ParameterRow &row : ParameterTable()) {
+    for (const FloatParam &row : ParameterTable()) {
         if (row.name != name) continue;
         if (!(value >= row.lo && value <= row.hi))
             return fmt::format("\"{}\" is {}, outside {}", name, value,
@@ -68,7 +68,7 @@ Parameters PresetNamed(std::string_view name, std::string *problem) {
 
 std::string ParameterManual() {
     std::string text = "parameters for --set and --params (unit, range, default):\n";
-    for (const ParameterRow &row : ParameterTable())
+    for (const FloatParam &row : ParameterTable())
         text += fmt::format("  {:<20}{:<5}{:<19}{:<8}{}\n", row.name, row.unit,
                             fmt::format("[{}, {}]", row.lo, row.hi), row.def, row.doc);
     text += "\npresets:\n";
@@ -79,7 +79,7 @@ std::string ParameterManual() {
 
 std::string ToJson(const Parameters &parameters) {
     nlohmann::ordered_json json;
-    for (const ParameterRow &row : ParameterTable())
+    for (const FloatParam &row : ParameterTable())
         json[std::string(row.name)] = parameters.*row.value;
     return json.dump(2) + "\n";
 }

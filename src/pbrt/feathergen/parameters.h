@@ -34,7 +34,7 @@ struct Parameters {
 inline constexpr double kMostVaneQuads = 1e7;
 
 /// One line of the table that --help, --print-preset, --params and the messages read.
-struct ParameterRow {
+struct FloatParam {
     std::string_view name, unit;
     double Parameters::*value;
     double def, lo, hi;  ///< default and legal range, both ends included
@@ -42,7 +42,7 @@ struct ParameterRow {
     bool whole = false;  ///< a count
 };
 
-std::span<const ParameterRow> ParameterTable();
+std::span<const FloatParam> ParameterTable();
 
 /// Sets the parameter called `name`. A name that is not in the table, a value outside its range or
 /// a count that is not whole is returned as a sentence, and nothing is set.

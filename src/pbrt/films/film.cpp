@@ -9,6 +9,16 @@
 namespace pbrt {
 namespace {
 
+constexpr IntParam kXResolution{"xresolution", 1280, 1, kMaxResolution, "pixels across"};
+constexpr IntParam kYResolution{"yresolution", 720, 1, kMaxResolution, "pixels down"};
+constexpr ArrayParam kPixelBounds{"pixelbounds", "integer", "all pixels",
+                                  "x0 x1 y0 y1: render these pixels only"};
+constexpr ArrayParam kCropWindow{
+    "cropwindow", "float", "the whole picture",
+    "x0 x1 y0 y1 in [0, 1]: render this part only; outranks pixelbounds"};
+constexpr StringParam kFileName{"filename", "pbrt.exr", "the picture to write: .exr, .png or .pfm"};
+constexpr BoolParam kSaveFp16{"savefp16", true, "16-bit floats in .exr files, else 32-bit ones"};
+
 PixelBounds Crop(Point2i full, const std::array<float, 4> &c) {
     const auto edge = [](float f, int n) {
         return int(std::ceil(std::clamp(f, 0.f, 1.f) * float(n)));
@@ -18,22 +28,22 @@ PixelBounds Crop(Point2i full, const std::array<float, 4> &c) {
 
 PixelBounds ReadBounds(ParamDict &params, const FilmOverrides &overrides, Point2i full) {
     PixelBounds bounds{0, full.x, 0, full.y};
-    const std::vector<int> given = params.GetIntArray("pixelbounds");
-    std::vector<float> crop = params.GetFloatArray("cropwindow");
+    const std::vector<int> given = params.GetIntArray(kPixelBounds);
+    std::vector<float> crop = params.GetFloatArray(kCropWindow);
     const auto clip = [&](const auto &b) {
         return PixelBounds{std::clamp(b[0], 0, full.x), std::clamp(b[1], 0, full.x),
                            std::clamp(b[2], 0, full.y), std::clamp(b[3], 0, full.y)};
     };
     if (!given.empty() && given.size() != 4)
-        params.Error("pixelbounds", "\"pixelbounds\" needs four integers: x0 x1 y0 y1");
+        params.Error(kPixelBounds.name, "\"pixelbounds\" needs four integers: x0 x1 y0 y1");
     else if (!given.empty())
         bounds = clip(given);
     if (!crop.empty() && crop.size() != 4)
-        params.Error("cropwindow", "\"cropwindow\" needs four numbers in [0, 1]: x0 x1 y0 y1");
+        params.Error(kCropWindow.name, "\"cropwindow\" needs four numbers in [0, 1]: x0 x1 y0 y1");
     else if (!crop.empty())
         bounds = Crop(full, {crop[0], crop[1], crop[2], crop[3]});
     if (!given.empty() && !crop.empty())
-        params.Warning("pixelbounds", "\"pixelbounds\" has no effect: \"cropwindow\" counts");
+        params.Warning(kPixelBounds.name, "\"pixelbounds\" has no effect: \"cropwindow\" counts");
     if (overrides.pixelBounds && overrides.cropWindow)
         params.Log().Warning({}, "--pixelbounds and --pixel have no effect: --cropwindow counts");
     if (overrides.pixelBounds) bounds = clip(*overrides.pixelBounds);
@@ -46,14 +56,14 @@ PixelBounds ReadBounds(ParamDict &params, const FilmOverrides &overrides, Point2
 }
 
 std::string ReadFileName(ParamDict &params, const FilmOverrides &overrides, bool exrOnly) {
-    const std::string written = params.GetOneString("filename", "pbrt.exr");
+    const std::string written = params.GetOneString(kFileName);
     const bool overridden = !overrides.outfile.empty();
     const std::string &name = overridden ? overrides.outfile : written;
     const auto refuse = [&](const std::string &why) {
         if (overridden)
             params.Log().Error({}, fmt::format("--outfile: cannot write \"{}\": {}", name, why));
         else
-            params.Error("filename", fmt::format("cannot write \"{}\": {}", name, why));
+            params.Error(kFileName.name, fmt::format("cannot write \"{}\": {}", name, why));
     };
     if (!CanWriteImage(name))
         refuse("the name must end in .exr, .png or .pfm");
@@ -69,23 +79,26 @@ Film Film::Create(const SceneDescription &scene, const FilmOverrides &overrides,
         scene.film.type.empty() ? std::string(RGBFilm::kName) : scene.film.type;
     ParamDict params(scene.film.params, scene.film.loc, fmt::format("film \"{}\"", name),
                      scene.film.colorSpace, &log, scene.dir);
+    return Create(name, params, overrides);
+}
+
+Film Film::Create(std::string_view type, ParamDict &params, const FilmOverrides &overrides) {
     Film film;
-    Point2i full{params.GetOneInt("xresolution", 1280, 1, kMaxResolution),
-                 params.GetOneInt("yresolution", 720, 1, kMaxResolution)};
+    Point2i full{params.GetOneInt(kXResolution), params.GetOneInt(kYResolution)};
     if (overrides.quick) full = {std::max(1, full.x / 4), std::max(1, full.y / 4)};
     film.fullResolution = full;
     film.bounds = ReadBounds(params, overrides, full);
-    const bool known = FilmTypes::Visit(name, [&]<typename F>() {
+    const bool known = FilmTypes::Visit(type, [&]<typename F>() {
         film.type = F::Create(params);
         film.traits = F::kTraits;
     });
     if (!known) {
-        params.Error(UnknownName("film", name, FilmTypes::kNames));
+        params.Error(UnknownName("film", type, FilmTypes::kNames));
         return film;
     }
     film.fileName = ReadFileName(params, overrides, film.traits.exrOnly);
-    film.colorSpace = scene.film.colorSpace;
-    film.format = params.GetOneBool("savefp16", true) ? ExrPixels::Half : ExrPixels::Float;
+    film.colorSpace = &params.ColorSpace();
+    film.format = params.GetOneBool(kSaveFp16) ? ExrPixels::Half : ExrPixels::Float;
     film.sensor = Sensor::Create(params, *film.colorSpace);
     params.ReportUnused();
     const PixelBounds &b = film.bounds;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "pbrt/films/exact_sum.h"
@@ -48,6 +49,8 @@ class Film {
   public:
     static Film Create(const SceneDescription &scene, const FilmOverrides &overrides,
                        Diagnostics &log);
+    /// The same by its parameters.
+    static Film Create(std::string_view type, ParamDict &params, const FilmOverrides &overrides);
 
     // Before rendering.
     /// Shutter time in seconds.

@@ -7,6 +7,8 @@ namespace pbrt {
 namespace {
 
 constexpr std::array<std::string_view, 2> kSpaces{"camera", "world"};
+constexpr ChoiceParam kCoordinateSystem{"coordinatesystem", kSpaces[0], kSpaces,
+                                        "space of positions and normals"};
 
 // Places in Sums::surface.
 enum { Albedo = 0, P = 3, Slope = 6, N = 8, Ns = 11, UV = 14 };
@@ -15,7 +17,7 @@ enum { Albedo = 0, P = 3, Slope = 6, N = 8, Ns = 11, UV = 14 };
 
 GBufferFilm GBufferFilm::Create(ParamDict &params) {
     GBufferFilm g;
-    g.inWorld = params.GetOneChoice("coordinatesystem", "camera", kSpaces) == 1;
+    g.inWorld = params.GetOneChoice(kCoordinateSystem) == 1;
     return g;
 }
 

@@ -5,10 +5,13 @@ namespace {
 
 constexpr std::array<std::string_view, 1> kSensors{"cie1931"};
 constexpr FloatParam kIso{"iso", "", 100, 1e-6f, 1e9f, "sensor speed"};
-constexpr FloatParam kMaxComponent{"maxcomponentvalue",        "", Infinity, 0, Infinity,
-                                   "largest value of a sample"};
-constexpr FloatParam kWhiteBalance{"whitebalance", "K", 0, 0, 25000, "0: none"};
-constexpr FloatParam kDiagonal{"diagonal", "mm", 35, 1e-6f, 1e6f, "of the film"};
+constexpr ChoiceParam kSensor{"sensor", kSensors[0], kSensors, "what colors are seen by"};
+constexpr FloatParam kMaxComponent{
+    "maxcomponentvalue", "", kOpen, 0, kOpen, "larger samples are scaled down to it"};
+constexpr FloatParam kWhiteBalance{
+    "whitebalance", "K", 0, 0, 25000, "color temperature that becomes white, from 4000; 0: none"};
+constexpr FloatParam kDiagonal{"diagonal", "mm", 35,
+                               1e-6f,      1e6f, "no effect: concerns realistic cameras only"};
 
 /// Matching curves in the film's RGB over the number of wavelength samples. Not over the integral
 /// of y: lights are (PBRT_FORMAT 2.10), so that a light of 1 gives a pixel of 1.
@@ -36,11 +39,11 @@ Sensor Sensor::Create(ParamDict &params, const RGBColorSpace &space) {
     Sensor sensor;
     sensor.iso = params.GetOneFloat(kIso);
     sensor.maxComponentValue = params.GetOneFloat(kMaxComponent);
-    params.GetOneFloat(kDiagonal);  // concerns realistic cameras only
-    params.GetOneChoice("sensor", "cie1931", kSensors);
+    params.GetOneFloat(kDiagonal);
+    params.GetOneChoice(kSensor);
     const float kelvin = params.GetOneFloat(kWhiteBalance);
     if (kelvin != 0 && kelvin < 4000)
-        params.Error("whitebalance", "\"whitebalance\" must be 0 or from 4000 to 25000 K");
+        params.Error(kWhiteBalance.name, "\"whitebalance\" must be 0 or from 4000 to 25000 K");
     sensor.matching = Matching(space, kelvin);
     const Spectrum &illuminant = space.Illuminant();
     sensor.white = illuminant.Scaled(1 / SpectrumToPhotometric(illuminant));

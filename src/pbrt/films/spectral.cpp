@@ -7,15 +7,17 @@
 namespace pbrt {
 namespace {
 
+constexpr IntParam kNBuckets{"nbuckets", 16, 1, 4096, "channels, equally wide"};
 constexpr FloatParam kMin{"lambdamin", "nm",      LambdaMin,
-                          LambdaMin,   LambdaMax, "of the first bucket"};
-constexpr FloatParam kMax{"lambdamax", "nm", LambdaMax, LambdaMin, LambdaMax, "of the last bucket"};
+                          LambdaMin,   LambdaMax, "where the first bucket begins"};
+constexpr FloatParam kMax{"lambdamax", "nm",      LambdaMax,
+                          LambdaMin,   LambdaMax, "where the last bucket ends"};
 
 }  // namespace
 
 SpectralFilm SpectralFilm::Create(ParamDict &params) {
     SpectralFilm b;
-    b.n = size_t(params.GetOneInt("nbuckets", 16, 1, 4096));
+    b.n = size_t(params.GetOneInt(kNBuckets));
     const float least = params.GetOneFloat(kMin), most = params.GetOneFloat(kMax);
     if (least < most)
         b.lambdaMin = least, b.lambdaMax = most;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <string_view>
 
@@ -9,11 +10,13 @@
 
 namespace pbrt {
 
-// One axis of each reconstruction filter: an even function of the offset in pixels, 0 beyond its
-// radius. Each reads the shape parameters both axes share in its Shape.
+// The profiles of the filters that pbrt-v4 has; see FilterProfile.
 
 struct BoxProfile {
     static constexpr std::string_view kName = "box";
+    static constexpr std::array<std::string_view, 2> kExamples{
+        "", "\"float xradius\" 1 \"float yradius\" 0.25"};
+    static constexpr bool kClosedForm = true;
     static constexpr float kRadius = 0.5f;
     struct Shape {};
     static Shape Read(ParamDict &) { return {}; }
@@ -28,6 +31,8 @@ struct BoxProfile {
 
 struct TriangleProfile {
     static constexpr std::string_view kName = "triangle";
+    static constexpr std::array<std::string_view, 2> kExamples{"", "\"float xradius\" 0.5"};
+    static constexpr bool kClosedForm = true;
     static constexpr float kRadius = 2;
     struct Shape {};
     static Shape Read(ParamDict &) { return {}; }
@@ -43,13 +48,15 @@ struct TriangleProfile {
 /// Normal density of deviation sigma, lowered so that it ends at 0.
 struct GaussianProfile {
     static constexpr std::string_view kName = "gaussian";
+    static constexpr std::array<std::string_view, 2> kExamples{
+        "", "\"float sigma\" 2 \"float xradius\" 3"};
+    static constexpr bool kClosedForm = false;
     static constexpr float kRadius = 1.5f;
+    static constexpr FloatParam kSigma{"sigma", "pixels", 0.5f, 1e-3f, 1e3f, "standard deviation"};
     struct Shape {
         float sigma = 0.5f;
     };
-    static Shape Read(ParamDict &params) {
-        return {params.GetOneFloat({"sigma", "pixels", 0.5f, 1e-3f, 1e3f, "standard deviation"})};
-    }
+    static Shape Read(ParamDict &params) { return {params.GetOneFloat(kSigma)}; }
 
     GaussianProfile(float radius, Shape shape)
         : radius(radius), sigma(shape.sigma), atRadius(Normal(radius)) {}
@@ -69,13 +76,17 @@ struct GaussianProfile {
 /// Cubic of Mitchell and Netravali 1988, two pixels wide on each side at radius 2.
 struct MitchellProfile {
     static constexpr std::string_view kName = "mitchell";
+    static constexpr std::array<std::string_view, 2> kExamples{"", "\"float B\" 1 \"float C\" 0"};
+    static constexpr bool kClosedForm = false;
     static constexpr float kRadius = 2;
+    static constexpr FloatParam kB{"B", "", 1.f / 3, -10, 10, "blur"};
+    static constexpr FloatParam kC{"C", "", 1.f / 3, -10, 10, "ringing"};
     struct Shape {
         float b = 1.f / 3, c = 1.f / 3;
     };
     static Shape Read(ParamDict &params) {
-        return {params.GetOneFloat({"B", "", 1.f / 3, -10, 10, "blur"}),
-                params.GetOneFloat({"C", "", 1.f / 3, -10, 10, "ringing"})};
+        const float b = params.GetOneFloat(kB);
+        return {b, params.GetOneFloat(kC)};
     }
 
     MitchellProfile(float radius, Shape shape) : radius(radius), b(shape.b), c(shape.c) {}
@@ -96,13 +107,15 @@ struct MitchellProfile {
 /// sinc(x) under the central lobe of sinc(x / tau) (Lanczos), sinc(x) = sin(pi x) / (pi x).
 struct SincProfile {
     static constexpr std::string_view kName = "sinc";
+    static constexpr std::array<std::string_view, 2> kExamples{
+        "", "\"float tau\" 1 \"float yradius\" 2"};
+    static constexpr bool kClosedForm = false;
     static constexpr float kRadius = 4;
+    static constexpr FloatParam kTau{"tau", "pixels", 3, 1e-2f, 1e3f, "first zero of the window"};
     struct Shape {
         float tau = 3;
     };
-    static Shape Read(ParamDict &params) {
-        return {params.GetOneFloat({"tau", "pixels", 3, 1e-2f, 1e3f, "first zero of the window"})};
-    }
+    static Shape Read(ParamDict &params) { return {params.GetOneFloat(kTau)}; }
 
     SincProfile(float radius, Shape shape) : radius(radius), tau(shape.tau) {}
     float operator()(float x) const { return std::abs(x) > radius ? 0 : Sinc(x) * Sinc(x / tau); }

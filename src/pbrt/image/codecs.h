@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "pbrt/image/image.h"
+#include "pbrt/util/result.h"
 
 // One file format each, between bytes in memory and Image. Errors are reasons without a file name:
 // "is damaged: ...", as the rest of a sentence.

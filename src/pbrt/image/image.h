@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pbrt/util/read_file.h"
+#include "pbrt/util/result.h"
 #include "pbrt/util/vecmath.h"
 
 namespace pbrt {
@@ -65,14 +66,6 @@ struct ColorEncoding {
     float gamma = 1;
     float ToLinear(float encoded) const;
     float FromLinear(float linear) const;
-};
-
-/// Either a value or the reason why there is none (a sentence for the user, file name included).
-template <typename T>
-struct OrError {
-    std::optional<T> value;
-    std::string error;
-    explicit operator bool() const { return value.has_value(); }
 };
 
 /// Reads EXR, PNG, JPEG, PFM and Radiance HDR, told apart by their first bytes. PNG and JPEG are

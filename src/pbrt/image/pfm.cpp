@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 
 #include "pbrt/image/codecs.h"
+#include "pbrt/util/parse_number.h"
 
 namespace pbrt {
 namespace {
@@ -24,12 +24,6 @@ std::string_view TakeWord(std::string_view *bytes) {
     return word;
 }
 
-template <typename T>
-bool Parse(std::string_view word, T *value) {
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), *value);
-    return error == std::errc() && end == word.data() + word.size();
-}
-
 float SwapBytes(float f) {
     const uint32_t u = std::bit_cast<uint32_t>(f);
     return std::bit_cast<float>((u >> 24) | ((u >> 8) & 0xff00) | ((u << 8) & 0xff0000) |
@@ -42,12 +36,13 @@ OrError<Image> DecodePfm(std::string_view bytes) {
     const std::string_view magic = TakeWord(&bytes);
     if (magic != "PF" && magic != "Pf") return {{}, "is damaged: it starts as PFM, but is none"};
     const bool gray = magic == "Pf";
-    int width = 0, height = 0;
-    float scale = 0;
+    const auto columns = ParseWhole<int>(TakeWord(&bytes));
+    const auto rows = ParseWhole<int>(TakeWord(&bytes));
     // The sign of the scale tells the byte order.
-    if (!Parse(TakeWord(&bytes), &width) || !Parse(TakeWord(&bytes), &height) ||
-        !Parse(TakeWord(&bytes), &scale) || scale == 0 || !std::isfinite(scale))
+    const float scale = ParseWhole<float>(TakeWord(&bytes)).value_or(0);
+    if (!columns || !rows || scale == 0 || !std::isfinite(scale))
         return {{}, "is damaged: its PFM header is not \"width height scale\""};
+    const int width = *columns, height = *rows;
     const int channels = gray ? 1 : 3;
     if (auto reason = Implausible(width, height, channels, 32 * channels, 1, bytes.size()))
         return {{}, *reason};

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "pbrt/cli/options.h"
 #include "pbrt/imgtool/command_line.h"
 #include "pbrt/imgtool/pictures.h"
 
@@ -62,21 +63,24 @@ class Accumulator {
     std::optional<int> samples = 0;  ///< empty: some picture does not say
 };
 
-}  // namespace
-
-Outcome Average(Args args) {
+struct Options {
     std::vector<std::string> names;
     std::string outfile, varianceFile;
-    CLI::App app(
-        "Averages pictures. Values that are not numbers are an error, infinite ones count "
-        "as 0.",
-        "imgtool average");
-    app.add_option("files", names, "pictures, or the beginning of their names")->required();
-    AddOutfile(&app, &outfile);
-    app.add_option("--variance-outfile", varianceFile,
-                   "picture of the variance of each mean value, as diff --variance reads it");
-    if (auto end = cli::Parse(&app, args)) return *end;
-    const OrError<std::vector<std::string>> files = FilesOf(names);
+};
+
+constexpr char kDescription[] =
+    "Averages pictures. Values that are not numbers are an error, infinite ones count "
+    "as 0.";
+
+void DefineOptions(CLI::App *app, Options *o) {
+    cli::AddRequired(app, "files", &o->names, "pictures, or the beginning of their names");
+    AddOutfile(app, &o->outfile);
+    cli::AddText(app, "--variance-outfile", &o->varianceFile,
+                 "picture of the variance of each mean value, as diff --variance reads it");
+}
+
+Outcome WithOptions(Options &o) {
+    const OrError<std::vector<std::string>> files = FilesOf(o.names);
     if (!files) return Failure(files.error);
 
     Accumulator sum;
@@ -90,14 +94,20 @@ Outcome Average(Args args) {
         if (infinite > 0)
             outcome.err += fmt::format("{}: {} infinite values count as 0\n", file, infinite);
     }
-    if (!varianceFile.empty() && sum.Count() < 2)
+    if (!o.varianceFile.empty() && sum.Count() < 2)
         return Failure("a variance needs two pictures at least");
-    Outcome written = Write(sum.Mean(), outfile, ExrPixels::Float);
-    if (written.exitCode == 0 && !varianceFile.empty())
-        written = Write(sum.VarianceOfMean(), varianceFile, ExrPixels::Float);
+    Outcome written = Write(sum.Mean(), o.outfile, ExrPixels::Float);
+    if (written.exitCode == 0 && !o.varianceFile.empty())
+        written = Write(sum.VarianceOfMean(), o.varianceFile, ExrPixels::Float);
     if (written.exitCode != 0) return written;
     outcome.out = fmt::format("{} pictures averaged\n", sum.Count());
     return outcome;
+}
+
+}  // namespace
+
+Outcome Average(Args args) {
+    return cli::RunWithOptions(args, "imgtool average", kDescription, DefineOptions, WithOptions);
 }
 
 }  // namespace pbrt::imgtool

@@ -37,39 +37,48 @@ double HueChange(const Image &rgb) {
     return largest;
 }
 
-}  // namespace
-
-Outcome Check(Args args) {
+struct Options {
     std::string file;
     double least = -1;
-    CLI::App app(
-        "Tests that every value is finite and that the picture is not black. Exit code 1 "
-        "where it fails.",
-        "imgtool check");
-    app.add_option("picture", file, "picture to test")->required();
-    cli::AddNumber(&app, "--hue-change", &least, {.lo = 0, .hi = 180},
+};
+
+constexpr char kDescription[] =
+    "Tests that every value is finite and that the picture is not black. Exit code 1 "
+    "where it fails.";
+
+void DefineOptions(CLI::App *app, Options *o) {
+    cli::AddRequired(app, "picture", &o->file, "picture to test");
+    cli::AddNumber(app, "--hue-change", &o->least, {.lo = 0, .hi = 180},
                    "test too that the hues of two of eight upright strips differ by this many "
                    "degrees at least");
-    if (auto end = cli::Parse(&app, args)) return *end;
+}
+
+Outcome WithOptions(Options &o) {
     std::string remarks;
-    const OrError<Image> image = ReadPart(file, {"R", "G", "B"}, {}, &remarks);
+    const OrError<Image> image = ReadPart(o.file, {"R", "G", "B"}, {}, &remarks);
     if (!image) return Failure(image.error);
     double sum = 0;
     for (const float v : image.value->Data()) {
         if (!std::isfinite(v))
-            return Failure(fmt::format("{}: has values that are not finite", file));
+            return Failure(fmt::format("{}: has values that are not finite", o.file));
         sum += v;
     }
     const double mean = sum / double(image.value->Data().size());
-    if (!(mean > 0)) return Failure(fmt::format("{}: is black", file));
+    if (!(mean > 0)) return Failure(fmt::format("{}: is black", o.file));
     const double change = HueChange(*image.value);
-    if (change < least)
-        return Failure(fmt::format("{}: its hue changes by {:.0f} degrees, less than {:g}", file,
-                                   change, least));
-    return {
-        0,
-        fmt::format("{}: finite, mean {:.6g}, hue changes by {:.0f} degrees\n", file, mean, change),
-        remarks};
+    if (change < o.least)
+        return Failure(fmt::format("{}: its hue changes by {:.0f} degrees, less than {:g}", o.file,
+                                   change, o.least));
+    return {0,
+            fmt::format("{}: finite, mean {:.6g}, hue changes by {:.0f} degrees\n", o.file, mean,
+                        change),
+            remarks};
+}
+
+}  // namespace
+
+Outcome Check(Args args) {
+    return cli::RunWithOptions(args, "imgtool check", kDescription, DefineOptions, WithOptions);
 }
 
 }  // namespace pbrt::imgtool

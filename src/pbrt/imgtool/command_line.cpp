@@ -15,12 +15,12 @@ void AddChannels(CLI::App *app, std::vector<std::string> *channels) {
 }
 
 void AddOutfile(CLI::App *app, std::string *outfile) {
-    app->add_option("--outfile", *outfile, "picture to write (.exr, .png, .pfm)")->required();
+    cli::AddRequired(app, "--outfile", outfile, "picture to write (.exr, .png, .pfm)");
 }
 
 void AddComparison(CLI::App *app, std::string *reference, std::string *metric) {
-    app->add_option("--reference", *reference, "what the picture should be")->required();
-    app->add_option("--metric", *metric, "MSE (default), MAE or MRSE");
+    cli::AddRequired(app, "--reference", reference, "what the picture should be");
+    cli::AddText(app, "--metric", metric, "MSE (default), MAE or MRSE");
 }
 
 Outcome Remarking(const std::string &remarks, Outcome outcome) {

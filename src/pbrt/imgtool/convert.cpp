@@ -22,35 +22,34 @@ struct Options {
     bool fp16 = false;
 };
 
-std::optional<Outcome> ParseOptions(Args args, Options *o) {
-    CLI::App app(
-        "Changes pictures. What is asked for is done in this order: channels, crop, clamp, "
-        "colorspace, bw, despike, scale and exposure, gamma, tonemap, preserve-colors, "
-        "aces-filmic, repeat-pix, flipy. Channel A keeps its values.",
-        "imgtool convert");
-    app.add_option("picture", o->file, "picture to read (EXR, PNG, JPEG, PFM, HDR)")->required();
-    AddOutfile(&app, &o->outfile);
-    AddChannels(&app, &o->channels);
-    AddCrop(&app, &o->crop);
-    cli::AddNumber(&app, "--clamp", &o->clamp, {}, "largest value");
-    app.add_option("--colorspace", o->colorSpace, "srgb, rec2020, dci-p3 or aces2065-1");
-    app.add_flag("--bw", o->bw, "gray: the mean of the channels");
-    cli::AddNumber(&app, "--despike", &o->despike, {},
+constexpr char kDescription[] =
+    "Changes pictures. What is asked for is done in this order: channels, crop, clamp, "
+    "colorspace, bw, despike, scale and exposure, gamma, tonemap, preserve-colors, "
+    "aces-filmic, repeat-pix, flipy. Channel A keeps its values.";
+
+void DefineOptions(CLI::App *app, Options *o) {
+    cli::AddRequired(app, "picture", &o->file, "picture to read (EXR, PNG, JPEG, PFM, HDR)");
+    AddOutfile(app, &o->outfile);
+    AddChannels(app, &o->channels);
+    AddCrop(app, &o->crop);
+    cli::AddNumber(app, "--clamp", &o->clamp, {}, "largest value");
+    cli::AddText(app, "--colorspace", &o->colorSpace, "srgb, rec2020, dci-p3 or aces2065-1");
+    cli::AddFlag(app, "--bw", &o->bw, "gray: the mean of the channels");
+    cli::AddNumber(app, "--despike", &o->despike, {},
                    "replace pixels of a mean above this by the median of their neighbours");
-    cli::AddNumber(&app, "--scale", &o->scale, {}, "factor (default 1)");
-    cli::AddNumber(&app, "--exposure", &o->exposure, {}, "factor 2^x: x stops (default 0)");
-    cli::AddNumber(&app, "--gamma", &o->gamma, cli::kAboveZero, "exponent (default 1)");
-    app.add_flag("--tonemap", o->tonemap, "Reinhard's operator on the mean of the channels");
-    cli::AddNumber(&app, "--max-luminance", &o->maxLuminance, cli::kAboveZero,
+    cli::AddNumber(app, "--scale", &o->scale, {}, "factor (default 1)");
+    cli::AddNumber(app, "--exposure", &o->exposure, {}, "factor 2^x: x stops (default 0)");
+    cli::AddNumber(app, "--gamma", &o->gamma, cli::kAboveZero, "exponent (default 1)");
+    cli::AddFlag(app, "--tonemap", &o->tonemap, "Reinhard's operator on the mean of the channels");
+    cli::AddNumber(app, "--max-luminance", &o->maxLuminance, cli::kAboveZero,
                    "mean that --tonemap takes to 1 (default 1)");
-    app.add_flag("--preserve-colors", o->preserveColors,
+    cli::AddFlag(app, "--preserve-colors", &o->preserveColors,
                  "scale pixels with values above 1 down instead of clipping each value");
-    app.add_flag("--aces-filmic", o->acesFilmic, "filmic curve to [0, 1]");
-    cli::AddNumber(&app, "--repeat-pix", &o->repeat, {.lo = 1, .hi = 1024},
+    cli::AddFlag(app, "--aces-filmic", &o->acesFilmic, "filmic curve to [0, 1]");
+    cli::AddNumber(app, "--repeat-pix", &o->repeat, {.lo = 1, .hi = 1024},
                    "repeat pixels n times in both directions");
-    app.add_flag("--flipy", o->flipY, "upside down");
-    app.add_flag("--fp16", o->fp16, "half floats in EXR (default: as the input)");
-    return cli::Parse(&app, args);
+    cli::AddFlag(app, "--flipy", &o->flipY, "upside down");
+    cli::AddFlag(app, "--fp16", &o->fp16, "half floats in EXR (default: as the input)");
 }
 
 std::optional<std::string> ToColorSpace(const std::string &name, Image *image) {
@@ -79,11 +78,7 @@ std::optional<std::string> ToColorSpace(const std::string &name, Image *image) {
     return {};
 }
 
-}  // namespace
-
-Outcome Convert(Args args) {
-    Options o;
-    if (auto end = ParseOptions(args, &o)) return *end;
+Outcome WithOptions(Options &o) {
     std::string remarks;
     OrError<Image> input = ReadPart(o.file, o.channels, o.crop, &remarks);
     if (!input) return Failure(input.error);
@@ -107,6 +102,12 @@ Outcome Convert(Args args) {
     const bool half =
         o.fp16 || image.metadata.storedAs == "half" || image.metadata.storedAs == "8-bit";
     return Remarking(remarks, Write(image, o.outfile, half ? ExrPixels::Half : ExrPixels::Float));
+}
+
+}  // namespace
+
+Outcome Convert(Args args) {
+    return cli::RunWithOptions(args, "imgtool convert", kDescription, DefineOptions, WithOptions);
 }
 
 }  // namespace pbrt::imgtool

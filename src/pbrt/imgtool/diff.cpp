@@ -19,26 +19,26 @@ struct Options {
     int tile = 10;
 };
 
-std::optional<Outcome> ParseOptions(Args args, Options *o) {
-    CLI::App app(
-        "Compares a picture with a reference. Silent, exit code 0: the error is 0 or at "
-        "most --difftol. With --variance the tiles are tested instead: exit code 0 where "
-        "no tile differs by more than noise explains.",
-        "imgtool diff");
-    app.add_option("picture", o->file, "picture to judge")->required();
-    AddComparison(&app, &o->reference, &o->metric);
-    cli::AddNumber(&app, "--difftol", &o->tolerance, cli::kFromZero,
+constexpr char kDescription[] =
+    "Compares a picture with a reference. Silent, exit code 0: the error is 0 or at "
+    "most --difftol. With --variance the tiles are tested instead: exit code 0 where "
+    "no tile differs by more than noise explains.";
+
+void DefineOptions(CLI::App *app, Options *o) {
+    cli::AddRequired(app, "picture", &o->file, "picture to judge");
+    AddComparison(app, &o->reference, &o->metric);
+    cli::AddNumber(app, "--difftol", &o->tolerance, cli::kFromZero,
                    "largest error that passes (default 0)");
-    app.add_option("--outfile", o->outfile, "picture of the error of each value");
-    app.add_option("--variance", o->variance, "picture of the variance of each reference value");
-    cli::AddNumber(&app, "--variance-ratio", &o->varianceRatio, cli::kFromZero,
+    cli::AddText(app, "--outfile", &o->outfile, "picture of the error of each value");
+    cli::AddText(app, "--variance", &o->variance,
+                 "picture of the variance of each reference value");
+    cli::AddNumber(app, "--variance-ratio", &o->varianceRatio, cli::kFromZero,
                    "variance of the picture in units of the reference's (default: by the samples "
                    "per pixel in the files, else 1)");
-    cli::AddNumber(&app, "--tile", &o->tile, {.lo = 1, .hi = 1 << 16},
+    cli::AddNumber(app, "--tile", &o->tile, {.lo = 1, .hi = 1 << 16},
                    "pixels along a tile's edge (default 10)");
-    AddChannels(&app, &o->channels);
-    AddCrop(&app, &o->crop);
-    return cli::Parse(&app, args);
+    AddChannels(app, &o->channels);
+    AddCrop(app, &o->crop);
 }
 
 /// Where none are named: R, G and B, if both have them.
@@ -102,16 +102,18 @@ Outcome Compare(Options o, const Metric *metric, std::string *remarks) {
             {}};
 }
 
-}  // namespace
-
-Outcome Diff(Args args) {
-    Options o;
-    if (auto end = ParseOptions(args, &o)) return *end;
+Outcome WithOptions(Options &o) {
     const Metric *metric = MetricNamed(o.metric);
     if (!metric) return Failure(UnknownMetric(o.metric));
     std::string remarks;
     const Outcome outcome = Compare(std::move(o), metric, &remarks);
     return Remarking(remarks, outcome);
+}
+
+}  // namespace
+
+Outcome Diff(Args args) {
+    return cli::RunWithOptions(args, "imgtool diff", kDescription, DefineOptions, WithOptions);
 }
 
 }  // namespace pbrt::imgtool

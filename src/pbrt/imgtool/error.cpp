@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "pbrt/cli/options.h"
 #include "pbrt/imgtool/command_line.h"
 #include "pbrt/imgtool/metric.h"
 #include "pbrt/imgtool/pictures.h"
@@ -13,24 +14,19 @@ struct Options {
     std::vector<int> crop;
 };
 
-std::optional<Outcome> ParseOptions(Args args, Options *o) {
-    CLI::App app(
-        "Estimates the error of one rendering from several that differ in their seeds: the "
-        "sum of their errors divided by their number less one. All must have the same "
-        "number of samples per pixel.",
-        "imgtool error");
-    app.add_option("files", o->files, "pictures, or the beginning of their names")->required();
-    AddComparison(&app, &o->reference, &o->metric);
-    app.add_option("--errorfile", o->errorFile, "picture of the error of each value");
-    AddCrop(&app, &o->crop);
-    return cli::Parse(&app, args);
+constexpr char kDescription[] =
+    "Estimates the error of one rendering from several that differ in their seeds: the "
+    "sum of their errors divided by their number less one. All must have the same "
+    "number of samples per pixel.";
+
+void DefineOptions(CLI::App *app, Options *o) {
+    cli::AddRequired(app, "files", &o->files, "pictures, or the beginning of their names");
+    AddComparison(app, &o->reference, &o->metric);
+    cli::AddText(app, "--errorfile", &o->errorFile, "picture of the error of each value");
+    AddCrop(app, &o->crop);
 }
 
-}  // namespace
-
-Outcome Error(Args args) {
-    Options o;
-    if (auto end = ParseOptions(args, &o)) return *end;
+Outcome WithOptions(Options &o) {
     const Metric *metric = MetricNamed(o.metric);
     if (!metric) return Failure(UnknownMetric(o.metric));
     const OrError<std::vector<std::string>> files = FilesOf(o.files);
@@ -73,6 +69,12 @@ Outcome Error(Args args) {
             fmt::format("{} {:.6g}, from {} pictures{}\n", metric->name, sum / double(n - 1), n,
                         perPixel),
             remarks};
+}
+
+}  // namespace
+
+Outcome Error(Args args) {
+    return cli::RunWithOptions(args, "imgtool error", kDescription, DefineOptions, WithOptions);
 }
 
 }  // namespace pbrt::imgtool

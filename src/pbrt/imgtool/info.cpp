@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "pbrt/cli/options.h"
 #include "pbrt/image/primaries.h"
 #include "pbrt/imgtool/command_line.h"
 #include "pbrt/imgtool/pictures.h"
@@ -75,18 +76,21 @@ std::string Text(const std::string &file, const Image &image) {
     return text;
 }
 
-}  // namespace
-
-Outcome Info(Args args) {
+struct Options {
     std::vector<std::string> files;
-    CLI::App app(
-        "Prints size, metadata and the range of each channel; PNG and JPEG as decoded to "
-        "linear values.",
-        "imgtool info");
-    app.add_option("files", files, "pictures")->required();
-    if (auto end = cli::Parse(&app, args)) return *end;
+};
+
+constexpr char kDescription[] =
+    "Prints size, metadata and the range of each channel; PNG and JPEG as decoded to "
+    "linear values.";
+
+void DefineOptions(CLI::App *app, Options *o) {
+    cli::AddRequired(app, "files", &o->files, "pictures");
+}
+
+Outcome WithOptions(Options &o) {
     Outcome outcome;
-    for (const std::string &file : files) {
+    for (const std::string &file : o.files) {
         const OrError<Image> image = Read(file, &outcome.err);
         if (image) {
             outcome.out += Text(file, *image.value);
@@ -96,6 +100,12 @@ Outcome Info(Args args) {
         }
     }
     return outcome;
+}
+
+}  // namespace
+
+Outcome Info(Args args) {
+    return cli::RunWithOptions(args, "imgtool info", kDescription, DefineOptions, WithOptions);
 }
 
 }  // namespace pbrt::imgtool

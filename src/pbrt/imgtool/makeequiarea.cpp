@@ -44,29 +44,40 @@ Image EqualArea(const Image &latLong, int resolution) {
     return square;
 }
 
-}  // namespace
-
-Outcome MakeEquiArea(Args args) {
+struct Options {
     std::string file, outfile;
     int resolution = 0;
-    CLI::App app(
-        "Turns a latitude-longitude environment picture (twice as wide as high, z up) into "
-        "the square equal-area octahedral one that the infinite light reads.",
-        "imgtool makeequiarea");
-    app.add_option("picture", file, "latitude-longitude picture")->required();
-    AddOutfile(&app, &outfile);
-    cli::AddNumber(&app, "--resolution", &resolution, {.lo = 1, .hi = 32768},
+};
+
+constexpr char kDescription[] =
+    "Turns a latitude-longitude environment picture (twice as wide as high, z up) into "
+    "the square equal-area octahedral one that the infinite light reads.";
+
+void DefineOptions(CLI::App *app, Options *o) {
+    cli::AddRequired(app, "picture", &o->file, "latitude-longitude picture");
+    AddOutfile(app, &o->outfile);
+    cli::AddNumber(app, "--resolution", &o->resolution, {.lo = 1, .hi = 32768},
                    "pixels along the edge (default: the input's width)");
-    if (auto end = cli::Parse(&app, args)) return *end;
+}
+
+Outcome WithOptions(Options &o) {
     std::string remarks;
-    const OrError<Image> latLong = Read(file, &remarks);
+    const OrError<Image> latLong = Read(o.file, &remarks);
     if (!latLong) return Failure(latLong.error);
     const auto [width, height] = latLong.value->Resolution();
     if (width != 2 * height)
         return Failure(fmt::format("{}: has {} x {} pixels, not twice as many columns as rows",
-                                   file, width, height));
-    return Remarking(remarks, Write(EqualArea(*latLong.value, resolution > 0 ? resolution : width),
-                                    outfile, ExrPixels::Float));
+                                   o.file, width, height));
+    return Remarking(remarks,
+                     Write(EqualArea(*latLong.value, o.resolution > 0 ? o.resolution : width),
+                           o.outfile, ExrPixels::Float));
+}
+
+}  // namespace
+
+Outcome MakeEquiArea(Args args) {
+    return cli::RunWithOptions(args, "imgtool makeequiarea", kDescription, DefineOptions,
+                               WithOptions);
 }
 
 }  // namespace pbrt::imgtool

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "pbrt/image/image.h"
+#include "pbrt/util/result.h"
 
 // Operations on whole pictures that several commands share.
 

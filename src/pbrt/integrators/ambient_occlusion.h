@@ -13,12 +13,14 @@ class AmbientOcclusionIntegrator {
   public:
     static constexpr std::string_view kName = "ambientocclusion";
     static constexpr IntegratorTraits kTraits{.usesLights = false};
+    static constexpr BoolParam kCosSample{"cossample", true,
+                                          "directions are drawn by their weight, else evenly"};
+    static constexpr FloatParam kMaxDistance{
+        "maxdistance", "", kOpen, 0, kOpen, "what is farther does not occlude"};
 
     static AmbientOcclusionIntegrator Create(ParamDict &params) {
-        static constexpr FloatParam kMaxDistance{
-            "maxdistance", "", Infinity, 0, Infinity, "what is farther does not occlude"};
         AmbientOcclusionIntegrator i;
-        i.cosSample = params.GetOneBool("cossample", true);
+        i.cosSample = params.GetOneBool(kCosSample);
         i.maxDistance = params.GetOneFloat(kMaxDistance);
         return i;
     }

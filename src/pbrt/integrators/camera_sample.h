@@ -26,7 +26,7 @@ CameraSample DrawCameraSample(const RenderScene &scene, Point2i pixel, SamplerT 
     const Point2f uLens = sampler->Get2D();
     const FilterSample f = jitters ? Sample(scene.filter, uFilm) : FilterSample{{}, 1};
     const Point2f film{pixel.x + 0.5f + f.p.x, pixel.y + 0.5f + f.p.y};
-    const Ray ray = scene.camera.GenerateRay(film, jitters ? uLens : Point2f{0.5f, 0.5f},
+    const Ray ray = GenerateRay(scene.camera, film, jitters ? uLens : Point2f{0.5f, 0.5f},
                                              jitters ? uTime : 0.5f);
     return {ray,
             scene.film.SampleWavelengths(scene.options.disableWavelengthJitter ? 0.5f : uLambda),

@@ -23,9 +23,13 @@ Integrator CreateIntegrator(const SceneDescription &description, Diagnostics &lo
     const std::string name = entity.type.empty() ? std::string(kVolPath) : entity.type;
     ParamDict params(entity.params, entity.loc, fmt::format("integrator \"{}\"", name),
                      entity.colorSpace, &log, description.dir);
+    return CreateIntegrator(name, params);
+}
+
+Integrator CreateIntegrator(std::string_view name, ParamDict &params) {
     Integrator integrator;
     const bool known =
-        IntegratorTypes::Visit(name == kVolPath ? PathIntegrator::kName : std::string_view(name),
+        IntegratorTypes::Visit(name == kVolPath ? PathIntegrator::kName : name,
                                [&]<typename I>() { integrator = I::Create(params); });
     if (known)
         params.ReportUnused();

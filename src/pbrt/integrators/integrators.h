@@ -22,6 +22,8 @@ using Integrator = IntegratorTypes::Variant;
 /// The integrator that the scene names, pbrt's default `volpath` where it names none. Mistakes go
 /// to the log, and a default is returned.
 Integrator CreateIntegrator(const SceneDescription &description, Diagnostics &log);
+/// The same by its name and parameters.
+Integrator CreateIntegrator(std::string_view name, ParamDict &params);
 std::unique_ptr<Tracer> MakeTracer(const Integrator &integrator, const RenderScene &scene);
 /// All of IntegratorTypes, and `volpath`.
 std::vector<std::string_view> IntegratorNames();

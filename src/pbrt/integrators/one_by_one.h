@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "pbrt/build/surface_bsdf.h"  // defines VisitBSDF
 #include "pbrt/build/visible_surface.h"
 #include "pbrt/integrators/camera_sample.h"
 #include "pbrt/integrators/tracer.h"

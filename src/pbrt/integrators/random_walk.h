@@ -1,7 +1,8 @@
 #pragma once
 
-#include "pbrt/build/surface_bsdf.h"
+#include "pbrt/build/visit_bsdf.h"
 #include "pbrt/integrators/found_light.h"
+#include "pbrt/integrators/max_depth.h"
 #include "pbrt/util/sampling.h"
 
 namespace pbrt {
@@ -16,7 +17,7 @@ class RandomWalkIntegrator {
 
     static RandomWalkIntegrator Create(ParamDict &params) {
         RandomWalkIntegrator i;
-        i.maxDepth = params.GetOneInt("maxdepth", 5, 0, 1 << 20);
+        i.maxDepth = params.GetOneInt(kMaxDepth);
         return i;
     }
     void Preprocess(const RenderScene &) {}
@@ -40,11 +41,12 @@ class RandomWalkIntegrator {
             if (depth == maxDepth) return L;
             const Vector3f d = SampleUniformSphere(sampler->Get2D());
             beta *=
-                VisitBSDF(scene, hit, sp, ray, lambda, [&](const Frame &frame, const auto &bxdf) {
-                    const Vector3f wi = frame.ToLocal(d);
-                    return bxdf.f(frame.ToLocal(-ray.d), wi, TransportMode::Radiance) *
-                           (AbsCosTheta(wi) * 4 * Pi);
-                });
+                VisitBSDF(scene, hit, sp, ray, lambda, &counts->clamped,
+                          [&](const Frame &frame, const auto &bxdf) {
+                              const Vector3f wi = frame.ToLocal(d);
+                              return bxdf.f(frame.ToLocal(-ray.d), wi, TransportMode::Radiance) *
+                                     (AbsCosTheta(wi) * 4 * Pi);
+                          });
             if (!beta) return L;
             ray = {sp.OffsetOrigin(d), d, Infinity, ray.time};
         }

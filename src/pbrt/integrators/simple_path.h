@@ -1,7 +1,8 @@
 #pragma once
 
-#include "pbrt/build/surface_bsdf.h"
+#include "pbrt/build/visit_bsdf.h"
 #include "pbrt/integrators/found_light.h"
+#include "pbrt/integrators/max_depth.h"
 #include "pbrt/lights/light_sampler.h"
 #include "pbrt/util/sampling.h"
 
@@ -18,12 +19,16 @@ class SimplePathIntegrator {
   public:
     static constexpr std::string_view kName = "simplepath";
     static constexpr IntegratorTraits kTraits{};
+    static constexpr BoolParam kSampleLights{"samplelights", true,
+                                             "lights are sampled at every vertex"};
+    static constexpr BoolParam kSampleBSDF{"samplebsdf", true,
+                                           "directions are drawn from the BSDF, else evenly"};
 
     static SimplePathIntegrator Create(ParamDict &params) {
         SimplePathIntegrator i;
-        i.maxDepth = params.GetOneInt("maxdepth", 5, 0, 1 << 20);
-        i.sampleLights = params.GetOneBool("samplelights", true);
-        i.sampleBSDF = params.GetOneBool("samplebsdf", true);
+        i.maxDepth = params.GetOneInt(kMaxDepth);
+        i.sampleLights = params.GetOneBool(kSampleLights);
+        i.sampleBSDF = params.GetOneBool(kSampleBSDF);
         return i;
     }
     void Preprocess(const RenderScene &scene) {
@@ -52,24 +57,25 @@ class SimplePathIntegrator {
                 L +=
                     beta * pbrt::L(scene.lights[size_t(light)], sp.p, sp.n, sp.uv, -ray.d, *lambda);
             const bool last = depth == maxDepth;
-            VisitBSDF(scene, hit, sp, ray, lambda, [&](const Frame &frame, const auto &bxdf) {
-                const Vector3f wo = frame.ToLocal(-ray.d);
-                if (!last && sampleLights)
-                    L += beta *
-                         Direct(scene, sp, ray.time, frame, bxdf, wo, *lambda, sampler, counts);
-                const auto s = Scatter(bxdf, wo, sampler);
-                // Straight through is no bounce: what is found behind counts as before.
-                const bool straight = s && Has(s->flags, BxDFFlags::NullTransmission);
-                if (!s || s->pdf == 0 || (last && !straight))
-                    return void(beta = SampledSpectrum(0));
-                beta *= s->f * (AbsCosTheta(s->wi) / s->pdf);
-                const Vector3f d = straight ? ray.d : frame.FromLocal(s->wi);
-                ray = {sp.OffsetOrigin(d), d, Infinity, ray.time};
-                if (straight) return;
-                countsAll = !sampleLights || IsSpecular(s->flags);
-                previous = {sp.p, {}};
-                ++depth;
-            });
+            VisitBSDF(scene, hit, sp, ray, lambda, &counts->clamped,
+                      [&](const Frame &frame, const auto &bxdf) {
+                          const Vector3f wo = frame.ToLocal(-ray.d);
+                          if (!last && sampleLights)
+                              L += beta * Direct(scene, sp, ray.time, frame, bxdf, wo, *lambda,
+                                                 sampler, counts);
+                          const auto s = Scatter(bxdf, wo, sampler);
+                          // Straight through is no bounce: what is found behind counts as before.
+                          const bool straight = s && Has(s->flags, BxDFFlags::NullTransmission);
+                          if (!s || s->pdf == 0 || (last && !straight))
+                              return void(beta = SampledSpectrum(0));
+                          beta *= s->f * (AbsCosTheta(s->wi) / s->pdf);
+                          const Vector3f d = straight ? ray.d : frame.FromLocal(s->wi);
+                          ray = {sp.OffsetOrigin(d), d, Infinity, ray.time};
+                          if (straight) return;
+                          countsAll = !sampleLights || IsSpecular(s->flags);
+                          previous = {sp.p, {}};
+                          ++depth;
+                      });
         }
         return L;
     }

@@ -1,12 +1,17 @@
 #include "pbrt/lights/diffuse_area.h"
 
 namespace pbrt {
+namespace {
+
+constexpr BoolParam kTwoSided{"twosided", false, "both sides of the surface emit"};
+
+}  // namespace
 
 std::vector<DiffuseAreaLight> DiffuseAreaLight::Create(ParamDict &params, const Shape &shape,
                                                        const FloatTexture &alpha) {
-    const Emission emission = GetEmission(params, "L");
-    const EmissionScale scale = GetScale(params, "power", "lm");
-    const bool twoSided = params.GetOneBool("twosided", false);
+    const Emission emission = GetEmission(params, kLightRadiance);
+    const EmissionScale scale = GetScale(params, kLightPower);
+    const bool twoSided = params.GetOneBool(kTwoSided);
     const bool invisible = alpha.IsConstant() && alpha.Constant() == 0;
     std::optional<Rectangle> rectangle;
     if (const auto *mesh = std::get_if<BilinearMesh>(&shape)) rectangle = Rectangle::From(*mesh);

@@ -10,9 +10,8 @@ namespace pbrt {
 struct DistantLight {
     static constexpr std::string_view kName = "distant";
     static constexpr LightTraits kTraits{.isDelta = true, .readsSceneRadius = true};
-    static constexpr std::array kExamples{std::string_view(R"(LightSource "distant")"),
-                                          std::string_view(R"(Rotate 40 1 2 3 LightSource "distant"
-            "point3 from" [ 0 1 8 ] "float illuminance" 12)")};
+    static constexpr std::array<std::string_view, 2> kExamples{
+        "", R"("point3 from" [ 0 1 8 ] "float illuminance" 12)"};
     static DistantLight Create(ParamDict &params, const Transform &renderFromLight);
 
     void Preprocess(float radius) { sceneRadius = radius; }

@@ -5,6 +5,8 @@
 namespace pbrt {
 namespace {
 
+constexpr FloatParam kScale{"scale", "", 1, 0, kOpen, "factor on what is emitted"};
+
 Emission Normalized(const Spectrum &s, float photometric) {
     auto spectrum = std::make_shared<const Spectrum>(s.Scaled(1 / photometric));
     const float luminance = SpectrumToPhotometric(*spectrum);
@@ -13,10 +15,10 @@ Emission Normalized(const Spectrum &s, float photometric) {
 
 }  // namespace
 
-Emission GetEmission(ParamDict &params, std::string_view name) {
+Emission GetEmission(ParamDict &params, const SpectrumParam &row) {
     const Spectrum &illuminant = params.ColorSpace().Illuminant();
-    const bool isRGB = params.Has(name, "rgb");
-    const std::optional<Spectrum> given = params.GetOneSpectrum(name, SpectrumType::Illuminant);
+    const bool isRGB = params.GetOneRGB(row).has_value();
+    const std::optional<Spectrum> given = params.GetOneSpectrum(row);
     const float ofIlluminant = SpectrumToPhotometric(illuminant);
     if (!given) return Normalized(illuminant, ofIlluminant);
     // Many lights' sigmoids share a table that stays in a core's cache; tables of their own would
@@ -25,16 +27,14 @@ Emission GetEmission(ParamDict &params, std::string_view name) {
     const float photometric = SpectrumToPhotometric(*given);
     if (photometric > 0)
         return Normalized(given->IsConstant() ? *given : given->Densely(), photometric);
-    params.Error(name, fmt::format("\"{}\" has no visible light: its level is set by `scale`, its "
-                                   "shape must not be 0 from 360 to 830 nm",
-                                   name));
+    params.Error(row.name, fmt::format("\"{}\" has no visible light: its level is set by `scale`, "
+                                       "its shape must not be 0 from 360 to 830 nm",
+                                       row.name));
     return Normalized(illuminant, ofIlluminant);
 }
 
-EmissionScale GetScale(ParamDict &params, std::string_view target, std::string_view unit) {
-    static constexpr FloatParam kScale{"scale", "", 1, 0, Infinity, "factor on what is emitted"};
-    const FloatParam row{target, unit, -1, -1, Infinity, "amount to emit; not above 0: as L says"};
-    return {params.GetOneFloat(kScale), params.GetOneFloat(row)};
+EmissionScale GetScale(ParamDict &params, const FloatParam &target) {
+    return {params.GetOneFloat(kScale), params.GetOneFloat(target)};
 }
 
 }  // namespace pbrt

@@ -5,6 +5,8 @@
 
 namespace pbrt {
 
+inline constexpr PointParam kLightFrom{"from", "point3", {0, 0, 0}, "where the light stands"};
+
 /// A light's place and the direction into which it shines, of any length, in its own space.
 struct FromTo {
     Point3f from;

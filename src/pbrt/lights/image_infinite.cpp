@@ -84,22 +84,23 @@ std::string Unfit(const Image &image) {
 
 std::optional<ImageInfiniteLight> ImageInfiniteLight::Create(ParamDict &params,
                                                              const Transform &renderFromLight) {
-    const std::string file = params.GetFileName("filename");
-    const EmissionScale scale = GetScale(params, "illuminance", "lx");
-    if (params.GetOneSpectrum("L", SpectrumType::Illuminant))
-        params.Error("L", "both \"L\" and \"filename\" are given; an infinite light takes one");
+    const std::string file = params.GetFileName(kFileName);
+    const EmissionScale scale = GetScale(params, kLightIlluminance);
+    if (params.GetOneSpectrum(kLightRadiance))
+        params.Error(kLightRadiance.name,
+                     "both \"L\" and \"filename\" are given; an infinite light takes one");
     const OrError<Image> image = ReadImage(file);
     const std::string unfit = image ? Unfit(*image.value) : std::string();
     if (!image || !unfit.empty()) {
-        params.Error("filename", image ? fmt::format("\"{}\" {}", file, unfit) : image.error);
+        params.Error(kFileName.name, image ? fmt::format("\"{}\" {}", file, unfit) : image.error);
         return std::nullopt;
     }
     if (const std::string &unread = image.value->metadata.unread; !unread.empty())
-        params.WarningOnce("filename", fmt::format("{}: {}", file, unread));
+        params.WarningOnce(kFileName.name, fmt::format("{}: {}", file, unread));
     const RGBColorSpace &space = ColorSpaceOf(*image.value);
     const float illuminance = ImageInfiniteLight::Illuminance(*image.value, space);
     if (scale.target > 0 && !(illuminance > 0)) {
-        params.Error("illuminance",
+        params.Error(kLightIlluminance.name,
                      "the picture is black above the horizon: no scale can give it "
                      "an illuminance");
         return std::nullopt;

@@ -22,10 +22,11 @@ struct ImageInfiniteLight {
     static constexpr std::string_view kName = "infinite";
     static constexpr LightTraits kTraits{
         .isInfinite = true, .readsSceneRadius = true, .isWide = true, .isWideSeen = true};
-    static constexpr std::array kExamples{
-        std::string_view(R"(LightSource "infinite" "string filename" "sky.exr")"),
-        std::string_view(R"(Scale 1 2 0.5 Rotate 50 1 2 -1 LightSource "infinite"
-            "string filename" "sky.exr" "float illuminance" 40)")};
+    static constexpr std::array<std::string_view, 2> kExamples{
+        R"("string filename" "example.exr")",
+        R"("string filename" "example.exr" "float illuminance" 40)"};
+    static constexpr StringParam kFileName{
+        "filename", "", "square picture of all directions, equal-area octahedral"};
     /// `filename` must be given.
     static std::optional<ImageInfiniteLight> Create(ParamDict &params,
                                                     const Transform &renderFromLight);

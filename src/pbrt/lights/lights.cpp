@@ -4,12 +4,13 @@
 
 #include <algorithm>
 
+#include "pbrt/lights/from_to.h"
 #include "pbrt/util/range.h"
 
 namespace pbrt {
 namespace {
 
-/// Names of the lights that are (or are not) area lights, each once, as the list has them.
+/// Names of the lights that are (or are not) area lights, as the list has them.
 std::vector<std::string_view> NamesOf(bool area) {
     std::vector<std::string_view> names;
     LightTypes::ForEach([&]<typename L>() {
@@ -60,9 +61,16 @@ std::optional<Light> CreateNamed(std::string_view type, ParamDict &params,
 
 }  // namespace
 
+std::vector<std::string_view> LightNames() {
+    return NamesOf(false);
+}
+std::vector<std::string_view> AreaLightNames() {
+    return NamesOf(true);
+}
+
 std::optional<Light> CreateLight(std::string_view type, ParamDict &params,
                                  const Transform &renderFromLight) {
-    const std::vector<std::string_view> names = NamesOf(false);
+    const std::vector<std::string_view> names = LightNames();
     if (std::find(names.begin(), names.end(), type) == names.end()) {
         params.Error(UnknownName("light", type, names));
         return std::nullopt;
@@ -77,9 +85,10 @@ std::optional<Light> CreateLight(std::string_view type, ParamDict &params,
     std::optional<Light> light = CreateNamed(type, params, renderFromLight);
     const auto place = light ? Bounds(*light) : std::nullopt;
     if (place && !IsInRange(place->bounds))
-        params.Error("from", fmt::format("light \"{}\" stands beyond {:g}, up to where light can "
-                                         "be traced",
-                                         type, kFarthest));
+        params.Error(kLightFrom.name,
+                     fmt::format("light \"{}\" stands beyond {:g}, up to where light can "
+                                 "be traced",
+                                 type, kFarthest));
     params.ReportUnused();
     return light;
 }
@@ -97,7 +106,7 @@ std::vector<Light> CreateAreaLights(std::string_view type, ParamDict &params, co
         }
     });
     if (!found) {
-        params.Error(UnknownName("area light", type, NamesOf(true)));
+        params.Error(UnknownName("area light", type, AreaLightNames()));
         return {};
     }
     params.ReportUnused();

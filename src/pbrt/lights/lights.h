@@ -32,6 +32,10 @@ std::optional<Light> CreateLight(std::string_view type, ParamDict &params,
 std::vector<Light> CreateAreaLights(std::string_view type, ParamDict &params, const Shape &shape,
                                     const FloatTexture &alpha = 1.f);
 
+/// What a scene may name, each once.
+std::vector<std::string_view> LightNames();
+std::vector<std::string_view> AreaLightNames();
+
 /// Tells the light how large the scene is; once, before anything below.
 void Preprocess(Light &light, const Bounds3f &sceneBounds);
 

@@ -10,9 +10,8 @@ namespace pbrt {
 struct PointLight {
     static constexpr std::string_view kName = "point";
     static constexpr LightTraits kTraits{.isDelta = true};
-    static constexpr std::array kExamples{
-        std::string_view(R"(LightSource "point" "point3 from" [ 1 2 3 ] "float scale" 6)"),
-        std::string_view(R"(Translate 1 0 0 LightSource "point" "rgb I" [ 3 2 1 ])")};
+    static constexpr std::array<std::string_view, 2> kExamples{
+        R"("point3 from" [ 1 2 3 ] "float scale" 6)", R"("rgb I" [ 3 2 1 ] "float power" 50)"};
     static PointLight Create(ParamDict &params, const Transform &renderFromLight);
 
     std::optional<LightLiSample> SampleLi(const LightSampleContext &ctx, Point2f,

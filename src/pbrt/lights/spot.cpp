@@ -17,7 +17,7 @@ float EffectiveSolidAngle(float cosStart, float cosEnd) {
 }  // namespace
 
 SpotLight SpotLight::Create(ParamDict &params, const Transform &renderFromLight) {
-    const Emission emission = GetEmission(params, "I");
+    const Emission emission = GetEmission(params, kLightIntensity);
     const auto [from, along] = GetFromTo(params, renderFromLight);
     const float cone = params.GetOneFloat(kConeAngle), delta = params.GetOneFloat(kConeDelta);
     // A delta beyond the cone counts from the other side, as in pbrt-v4.
@@ -28,7 +28,7 @@ SpotLight SpotLight::Create(ParamDict &params, const Transform &renderFromLight)
         std::make_shared<Beam>(Beam{emission.spectrum, emission.luminance,
                                     renderFromLight.Inverse(), Normalize(along), cosStart, cosEnd});
     light.p = renderFromLight.Point(from);
-    light.scale = GetScale(params, "power", "lm").For(EffectiveSolidAngle(cosStart, cosEnd));
+    light.scale = GetScale(params, kLightPower).For(EffectiveSolidAngle(cosStart, cosEnd));
     return light;
 }
 

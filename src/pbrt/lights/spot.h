@@ -11,11 +11,10 @@ namespace pbrt {
 struct SpotLight {
     static constexpr std::string_view kName = "spot";
     static constexpr LightTraits kTraits{.isDelta = true};
-    static constexpr std::array kExamples{
-        std::string_view(R"(LightSource "spot" "point3 to" [ 0 1 0 ])"),
-        std::string_view(R"(Translate 0 0 5 Rotate 90 0 1 0 Scale 1 2 1 LightSource "spot"
-            "point3 to" [ 0 1 3 ] "float coneangle" 120 "float conedeltaangle" 30)"),
-        std::string_view(R"(LightSource "spot" "float coneangle" 10 "float conedeltaangle" 0)")};
+    static constexpr std::array<std::string_view, 3> kExamples{
+        R"("point3 to" [ 0 1 0 ])",
+        R"("point3 to" [ 0 1 3 ] "float coneangle" 120 "float conedeltaangle" 30)",
+        R"("float coneangle" 10 "float conedeltaangle" 0)"};
     static SpotLight Create(ParamDict &params, const Transform &renderFromLight);
 
     /// Share of the full intensity at an angle from the axis.

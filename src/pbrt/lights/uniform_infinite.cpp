@@ -6,10 +6,10 @@ namespace pbrt {
 
 std::optional<std::variant<UniformInfiniteLight, ImageInfiniteLight>> UniformInfiniteLight::Create(
     ParamDict &params, const Transform &renderFromLight) {
-    if (!params.GetFileName("filename").empty())
+    if (!params.GetFileName(ImageInfiniteLight::kFileName).empty())
         return ImageInfiniteLight::Create(params, renderFromLight);
-    const EmissionScale scale = GetScale(params, "illuminance", "lx");
-    const Emission emission = GetEmission(params, "L");
+    const EmissionScale scale = GetScale(params, kLightIlluminance);
+    const Emission emission = GetEmission(params, kLightRadiance);
     UniformInfiniteLight light;
     light.radiance = emission.spectrum;
     light.luminance = emission.luminance;

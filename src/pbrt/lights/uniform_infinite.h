@@ -17,9 +17,8 @@ struct UniformInfiniteLight {
     static constexpr std::string_view kName = "infinite";
     static constexpr LightTraits kTraits{
         .isInfinite = true, .neverSampled = true, .readsSceneRadius = true};
-    static constexpr std::array kExamples{
-        std::string_view(R"(LightSource "infinite")"),
-        std::string_view(R"(LightSource "infinite" "float illuminance" 5 "blackbody L" 4000)")};
+    static constexpr std::array<std::string_view, 2> kExamples{
+        "", R"("float illuminance" 5 "blackbody L" 4000)"};
     /// An image light where `filename` is given, which an ImageInfiniteLight reads.
     static std::optional<std::variant<UniformInfiniteLight, ImageInfiniteLight>> Create(
         ParamDict &params, const Transform &renderFromLight);

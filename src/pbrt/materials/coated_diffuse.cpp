@@ -5,9 +5,20 @@
 namespace pbrt {
 namespace {
 
+constexpr SpectrumParam kReflectance{"reflectance", SpectrumType::Albedo, "0.5",
+                                     "albedo of the base"};
 constexpr FloatParam kEta{"eta", "", 1.5f, 1, 1e3f, "index of refraction of the coat"};
-constexpr FloatParam kThickness{"thickness", "", 0.01f, 0, 1e3f, "optical depth of the coat"};
-constexpr FloatParam kG{"g", "", 0, -1, 1, "asymmetry of scattering in the coat"};
+constexpr SpectrumParam kEtaSpectrum{
+    "eta", SpectrumType::Unbounded, "", "the same, which must not vary with wavelength", 1, 1e3f};
+constexpr FloatParam kThickness{"thickness", "",   0.01f,
+                                0,           1e3f, "optical depth of the coat at normal incidence"};
+constexpr FloatParam kG{
+    "g", "", 0, -1, 1, "asymmetry of scattering in the coat: no effect, nothing scatters there"};
+constexpr SpectrumParam kAlbedo{
+    "albedo", SpectrumType::Albedo, "0", "share of light scattered in the coat: must be 0", 0, 0};
+constexpr IntParam kMaxDepth{"maxdepth", 10, 0, 1 << 20,
+                             "no effect: all orders of reflection are summed"};
+constexpr IntParam kNSamples{"nsamples", 1, 1, 1 << 20, "no effect: nothing is left to chance"};
 
 /// But for the rounding of interpolation.
 bool IsFlat(const Spectrum &s) {
@@ -17,16 +28,16 @@ bool IsFlat(const Spectrum &s) {
 }
 
 float ReadEta(ParamDict &params) {
-    if (params.Has("eta", "float")) return params.GetOneFloat(kEta);
-    const std::optional<Spectrum> eta = params.GetOneSpectrum("eta", SpectrumType::Unbounded);
+    if (params.Has(kEta)) return params.GetOneFloat(kEta);
+    const std::optional<Spectrum> eta = params.GetOneSpectrum(kEtaSpectrum);
     if (!eta) return kEta.def;
     const float value = (*eta)(LambdaMin);
     if (!IsFlat(*eta))
-        params.Error("eta", "a coat whose \"eta\" varies with wavelength is not supported");
+        params.Error(kEta.name, "a coat whose \"eta\" varies with wavelength is not supported");
     else if (value >= kEta.lo && value <= kEta.hi)
         return value;
     else
-        params.Error("eta",
+        params.Error(kEta.name,
                      fmt::format("\"eta\" is {}, outside [{}, {}]", value, kEta.lo, kEta.hi));
     return kEta.def;
 }
@@ -42,17 +53,15 @@ Coat CoatWith(float eta, float depth, const Roughness &roughness) {
 
 CoatedDiffuseMaterial CoatedDiffuseMaterial::Create(ParamDict &params, const NamedTextures &named) {
     CoatedDiffuseMaterial m;
-    m.reflectance =
-        GetSpectrumTexture(params, named, "reflectance", Spectrum(0.5f), SpectrumType::Albedo);
+    m.reflectance = GetSpectrumTexture(params, named, kReflectance);
     m.roughness = Roughness::Create(params, named);
     const float eta = ReadEta(params), depth = params.GetOneFloat(kThickness);
     GetFloatTexture(params, named, kG);
-    const SpectrumTexture albedo =
-        GetSpectrumTexture(params, named, "albedo", Spectrum(0.f), SpectrumType::Albedo);
+    const SpectrumTexture albedo = GetSpectrumTexture(params, named, kAlbedo);
     if (!albedo.IsConstant() || albedo.Constant().MaxValue() > 0)
-        params.Error("albedo", "a coat that scatters is not supported: \"albedo\" must be 0");
-    params.GetOneInt("maxdepth", 10, 0, 1 << 20);
-    params.GetOneInt("nsamples", 1, 1, 1 << 20);
+        params.Error(kAlbedo.name, "a coat that scatters is not supported: \"albedo\" must be 0");
+    params.GetOneInt(kMaxDepth);
+    params.GetOneInt(kNSamples);
     m.coat = std::make_shared<const Coat>(CoatWith(eta, depth, m.roughness));
     return m;
 }

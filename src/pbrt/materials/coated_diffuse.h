@@ -2,7 +2,8 @@
 
 #include <memory>
 
-#include "pbrt/bxdfs/coated_diffuse.h"
+#include "pbrt/base/material.h"
+#include "pbrt/bxdfs/coated_diffuse_bxdf.h"
 #include "pbrt/materials/roughness.h"
 
 namespace pbrt {
@@ -13,6 +14,10 @@ namespace pbrt {
 /// and `nsamples` are read and have no effect, for nothing is left to chance.
 struct CoatedDiffuseMaterial {
     static constexpr std::string_view kName = "coateddiffuse";
+    static constexpr MaterialTraits kTraits{.canBeUniform = true, .laidByUV = true, .warns = true};
+    static constexpr std::array<std::string_view, 3> kExamples{
+        "", "\"rgb reflectance\" [0.9 0.5 0.1] \"float roughness\" 0.3 \"float eta\" 1.3",
+        "\"float thickness\" 0 \"float uroughness\" 0.01 \"float vroughness\" 0.2"};
     SpectrumTexture reflectance;
     Roughness roughness;
     std::shared_ptr<const Coat> coat;
@@ -25,7 +30,11 @@ struct CoatedDiffuseMaterial {
         return CoatedDiffuseBxDF(ClampToUnit(reflectance.Evaluate(ctx, lambda)), *coat, alpha.x,
                                  alpha.y);
     }
-    std::string Warnings() const { return roughness.Warnings(kName); }
+    std::string_view LaidByUV() const { return roughness.LaidByUV(); }
+    std::string Warnings(const ClampCounts &counts) const {
+        return roughness.Warnings(kName, counts);
+    }
 };
+static_assert(MaterialType<CoatedDiffuseMaterial>);
 
 }  // namespace pbrt

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "pbrt/bxdfs/conductor.h"
+#include "pbrt/base/material.h"
+#include "pbrt/bxdfs/conductor_bxdf.h"
 #include "pbrt/materials/roughness.h"
 
 namespace pbrt {
@@ -9,7 +10,11 @@ namespace pbrt {
 /// incidence, not both; roughness as in Roughness.
 struct ConductorMaterial {
     static constexpr std::string_view kName = "conductor";
-    static constexpr bool kOneLobe = true;
+    static constexpr MaterialTraits kTraits{
+        .oneLobe = true, .canBeUniform = true, .laidByUV = true, .warns = true};
+    static constexpr std::array<std::string_view, 3> kExamples{
+        "", "\"rgb reflectance\" [0.9 0.5 0.1] \"float roughness\" 0.3",
+        "\"float uroughness\" 0.01 \"float vroughness\" 0.2"};
     SpectrumTexture eta, k;
     std::optional<SpectrumTexture> reflectance;
     Roughness roughness;
@@ -19,7 +24,7 @@ struct ConductorMaterial {
         return eta.IsConstant() && k.IsConstant() && roughness.IsUniform() &&
                (!reflectance || reflectance->IsConstant());
     }
-    ConductorBxDF GetBxDF(const TextureEvalContext &ctx, SampledWavelengths &lambda) const {
+    ConductorBxDF GetBxDF(const TextureEvalContext &ctx, const SampledWavelengths &lambda) const {
         const Vector2f alpha = roughness.Alpha(ctx);
         if (!reflectance)
             return ConductorBxDF(eta.Evaluate(ctx, lambda), k.Evaluate(ctx, lambda), alpha.x,
@@ -31,7 +36,11 @@ struct ConductorMaterial {
         const SampledSpectrum kOfR = 2 * Sqrt(r) / Sqrt(SampledSpectrum(1) - r);
         return ConductorBxDF(SampledSpectrum(1), kOfR, alpha.x, alpha.y);
     }
-    std::string Warnings() const { return roughness.Warnings(kName); }
+    std::string_view LaidByUV() const { return roughness.LaidByUV(); }
+    std::string Warnings(const ClampCounts &counts) const {
+        return roughness.Warnings(kName, counts);
+    }
 };
+static_assert(MaterialType<ConductorMaterial>);
 
 }  // namespace pbrt

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "pbrt/bxdfs/dielectric.h"
+#include "pbrt/base/material.h"
+#include "pbrt/bxdfs/dielectric_bxdf.h"
 #include "pbrt/materials/roughness.h"
 
 namespace pbrt {
@@ -9,6 +10,10 @@ namespace pbrt {
 /// that varies with wavelength ends the secondary wavelengths of the path.
 struct DielectricMaterial {
     static constexpr std::string_view kName = "dielectric";
+    static constexpr MaterialTraits kTraits{
+        .terminatesWavelengths = true, .canBeUniform = true, .laidByUV = true, .warns = true};
+    static constexpr std::array<std::string_view, 3> kExamples{
+        "", "\"float eta\" 1.33 \"float roughness\" 0.3", "\"spectrum eta\" \"glass-BK7\""};
     Spectrum eta{1.5f};
     Roughness roughness;
 
@@ -19,7 +24,11 @@ struct DielectricMaterial {
         const Vector2f alpha = roughness.Alpha(ctx);
         return DielectricBxDF(eta(lambda[0]), alpha.x, alpha.y);
     }
-    std::string Warnings() const { return roughness.Warnings(kName); }
+    std::string_view LaidByUV() const { return roughness.LaidByUV(); }
+    std::string Warnings(const ClampCounts &counts) const {
+        return roughness.Warnings(kName, counts);
+    }
 };
+static_assert(MaterialType<DielectricMaterial>);
 
 }  // namespace pbrt

@@ -1,6 +1,9 @@
 #pragma once
 
-#include "pbrt/bxdfs/diffuse_transmission.h"
+#include <array>
+
+#include "pbrt/base/material.h"
+#include "pbrt/bxdfs/diffuse_transmission_bxdf.h"
 #include "pbrt/materials/bounded_texture.h"
 
 namespace pbrt {
@@ -10,7 +13,9 @@ namespace pbrt {
 /// it.
 struct DiffuseTransmissionMaterial {
     static constexpr std::string_view kName = "diffusetransmission";
-    static constexpr bool kIsotropic = true;  ///< any frame about the normal will do
+    static constexpr MaterialTraits kTraits{.isotropic = true, .warns = true};
+    static constexpr std::array<std::string_view, 2> kExamples{
+        "", "\"rgb reflectance\" [0.1 0.5 0.9] \"rgb transmittance\" [0 0 0] \"float scale\" 0.5"};
     SpectrumTexture reflectance, transmittance;
     BoundedTexture scale;
 
@@ -22,11 +27,12 @@ struct DiffuseTransmissionMaterial {
                                        ClampToUnit(s * transmittance.Evaluate(ctx, lambda)));
     }
     /// A sentence where texture values had to be clamped; else empty.
-    std::string Warnings() const {
+    std::string Warnings(const ClampCounts &counts) const {
         std::string text;
-        scale.AddRemark(kName, &text);
+        scale.AddWarning(kName, counts, &text);
         return text;
     }
 };
+static_assert(MaterialType<DiffuseTransmissionMaterial>);
 
 }  // namespace pbrt

@@ -7,22 +7,28 @@
 namespace pbrt {
 namespace {
 
-FloatParam Row(const feather::Param &p) {
+/// The model's table as rows of the scene language.
+constexpr FloatParam RowOf(const feather::FloatParam &p) {
     return {p.name, feather::UnitName(p.unit), float(p.def), float(p.lo), float(p.hi), p.doc};
 }
+constexpr SpectrumParam RowOf(const feather::SpectrumParam &p, SpectrumType role) {
+    return {p.name, role, p.def, p.doc, float(p.lo), float(p.hi)};
+}
+constexpr SpectrumParam kEta = RowOf(feather::kSpectrumParams[0], SpectrumType::Unbounded);
+constexpr SpectrumParam kMelanin = RowOf(feather::kSpectrumParams[1], SpectrumType::Albedo);
 
 /// A guess at the mistake that led to v outside [lo, hi].
-std::string_view Guess(const feather::SpectrumParam &row, float v) {
+std::string_view Guess(const SpectrumParam &row, float v) {
     if (v == 0) return "; spectra that stand in the scene are 0 outside their wavelengths";
     const bool looksLikePercent = row.hi == 1 && v > 1 && v <= 100;
     return looksLikePercent ? "; is this in percent?" : "";
 }
 
 /// Reports the first whole nanometre at which `s` leaves [lo, hi].
-void CheckRange(ParamDict &params, const feather::SpectrumParam &row, const Spectrum &s) {
+void CheckRange(ParamDict &params, const SpectrumParam &row, const Spectrum &s) {
     for (int lambda = int(LambdaMin); lambda <= int(LambdaMax); ++lambda) {
         const float v = s(float(lambda));
-        if (v >= float(row.lo) && v <= float(row.hi)) continue;
+        if (v >= row.lo && v <= row.hi) continue;
         params.Error(row.name, fmt::format("\"{}\" is {} at {} nm, outside [{}, {}]{}", row.name, v,
                                            lambda, row.lo, row.hi, Guess(row, v)));
         return;
@@ -35,15 +41,11 @@ FeatherBarbuleMaterial FeatherBarbuleMaterial::Create(ParamDict &params,
                                                       const NamedTextures &named) {
     FeatherBarbuleMaterial m;
     for (size_t i = 0; i < feather::kParams.size(); ++i)
-        m.values[i] = {params, named, Row(feather::kParams[i])};
-    const feather::SpectrumParam &eta = feather::kSpectrumParams[0];
-    const feather::SpectrumParam &melanin = feather::kSpectrumParams[1];
-    m.eta = params.GetOneSpectrum(eta.name, SpectrumType::Unbounded)
-                .value_or(*GetNamedSpectrum(eta.def));
-    CheckRange(params, eta, m.eta);
-    m.melanin = GetSpectrumTexture(params, named, melanin.name, *GetNamedSpectrum(melanin.def),
-                                   SpectrumType::Albedo);
-    if (m.melanin.IsConstant()) CheckRange(params, melanin, m.melanin.Constant());
+        m.values[i] = {params, named, RowOf(feather::kParams[i])};
+    m.eta = params.GetOneSpectrum(kEta).value_or(DefaultSpectrum(kEta));
+    CheckRange(params, kEta, m.eta);
+    m.melanin = GetSpectrumTexture(params, named, kMelanin);
+    if (m.melanin.IsConstant()) CheckRange(params, kMelanin, m.melanin.Constant());
     if (m.IsConstant({Spacing, Tilt, Aspect, Opening})) m.constantVane = m.MakeVane<float>({});
     return m;
 }
@@ -62,8 +64,8 @@ const FeatherBarbuleMaterial::Vane &FeatherBarbuleMaterial::VaneAt(
     return constantVane ? *constantVane : room->emplace(MakeVane<float>(ctx));
 }
 
-FeatherSurface FeatherBarbuleMaterial::GetSurface(const TextureEvalContext &ctx,
-                                                  const SampledWavelengths &lambda) const {
+FeatherSurface FeatherBarbuleMaterial::GetPacketInput(const TextureEvalContext &ctx,
+                                                      const SampledWavelengths &lambda) const {
     std::optional<Vane> room;
     FeatherSurface surface{VaneAt(ctx, &room), values[Thickness].Evaluate(ctx), {}};
     const SampledSpectrum etas = eta.Sample(lambda), reflectance = melanin.Evaluate(ctx, lambda);
@@ -87,10 +89,10 @@ float FeatherBarbuleMaterial::NullTransmission(const TextureEvalContext &ctx, Ve
     return VaneAt(ctx, &room).GapFraction({w.x, w.y, w.z});
 }
 
-std::string FeatherBarbuleMaterial::Warnings() const {
+std::string FeatherBarbuleMaterial::Warnings(const ClampCounts &counts) const {
     std::string text;
     for (const BoundedTexture &texture : values)
-        texture.AddRemark(kName, &text);
+        texture.AddWarning(kName, counts, &text);
     return text;
 }
 

@@ -5,7 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "pbrt/bxdfs/feather_barbule.h"
+#include "pbrt/base/material.h"
+#include "pbrt/bxdfs/feather_barbule_packet.h"
 #include "pbrt/feather/params.h"
 #include "pbrt/materials/bounded_texture.h"
 
@@ -17,7 +18,13 @@ namespace pbrt {
 class FeatherBarbuleMaterial {
   public:
     static constexpr std::string_view kName = "featherbarbule";
-    static constexpr bool kHasNullTransmission = true;
+    static constexpr MaterialTraits kTraits{.canBeUniform = true,
+                                            .turnsFrame = true,
+                                            .nullTransmission = true,
+                                            .laidByUV = true,
+                                            .warns = true};
+    static constexpr std::array<std::string_view, 2> kExamples{
+        "", "\"float thickness\" 400 \"float rotation\" 30"};
 
     static FeatherBarbuleMaterial Create(ParamDict &params, const NamedTextures &named);
 
@@ -25,10 +32,10 @@ class FeatherBarbuleMaterial {
     static constexpr std::string_view LaidByUV() { return "barbules"; }
     FeatherBarbuleBxDF GetBxDF(const TextureEvalContext &ctx,
                                const SampledWavelengths &lambda) const {
-        return FeatherBarbuleBxDF(GetSurface(ctx, lambda));
+        return FeatherBarbuleBxDF(GetPacketInput(ctx, lambda));
     }
-    FeatherSurface GetSurface(const TextureEvalContext &ctx,
-                              const SampledWavelengths &lambda) const;
+    FeatherSurface GetPacketInput(const TextureEvalContext &ctx,
+                                  const SampledWavelengths &lambda) const;
     /// Whether `rotation` is not 0 throughout.
     bool TurnsFrame() const {
         return !values[Rotation].IsConstant() || values[Rotation].Constant() != 0;
@@ -42,7 +49,7 @@ class FeatherBarbuleMaterial {
     template <typename Model, std::size_t N>
     Model ModelAt(const TextureEvalContext &ctx, const std::array<float, N> &nanometres) const;
     /// A sentence where texture values had to be clamped; else empty.
-    std::string Warnings() const;
+    std::string Warnings(const ClampCounts &counts) const;
 
   private:
     enum { Thickness, Spacing, Tilt, Aspect, Opening, Rotation };
@@ -58,6 +65,7 @@ class FeatherBarbuleMaterial {
     Spectrum eta;
     SpectrumTexture melanin;
 };
+static_assert(MaterialType<FeatherBarbuleMaterial>);
 
 template <typename T>
 feather::Vane<T> FeatherBarbuleMaterial::MakeVane(const TextureEvalContext &ctx) const {

@@ -7,45 +7,43 @@
 namespace pbrt {
 namespace {
 
-constexpr FloatParam kEumelanin{"eumelanin", "", 0, 0, 1e6f, "brown and black pigment"};
+constexpr SpectrumParam kSigmaA{"sigma_a", SpectrumType::Unbounded, "",
+                                "absorption per fibre radius; outranks all other pigments"};
+constexpr SpectrumParam kReflectance{"reflectance", SpectrumType::Albedo, "",
+                                     "color of a mass of such fibres; outranks the melanins"};
+constexpr SpectrumParam kColor{"color", SpectrumType::Albedo, "", "another name of reflectance"};
+constexpr FloatParam kEumelanin{
+    "eumelanin", "", 1.3f, 0, 1e6f, "brown and black pigment; 0 where pheomelanin is given"};
 constexpr FloatParam kPheomelanin{"pheomelanin", "", 0, 0, 1e6f, "red and yellow pigment"};
 constexpr FloatParam kEta{"eta", "", 1.55f, 1, 1e3f, "index of refraction of the inside"};
 constexpr FloatParam kBetaM{"beta_m", "", 0.3f, 0.01f, 1, "roughness along the fibre"};
 constexpr FloatParam kBetaN{"beta_n", "", 0.3f, 0.01f, 1, "roughness around the fibre"};
 constexpr FloatParam kAlpha{"alpha", "degrees", 2, -90, 90, "tilt of the scales"};
-
-/// Where no pigment is named at all.
-constexpr float kDefaultEumelanin = 1.3f;
-
 }  // namespace
 
 HairMaterial HairMaterial::Create(ParamDict &params, const NamedTextures &named) {
     HairMaterial m;
-    const auto sigma_a = FindSpectrumTexture(params, named, "sigma_a", SpectrumType::Unbounded);
-    const auto reflectance =
-        FindSpectrumTexture(params, named, "reflectance", SpectrumType::Albedo);
-    const auto color = FindSpectrumTexture(params, named, "color", SpectrumType::Albedo);
+    const auto sigma_a = FindSpectrumTexture(params, named, kSigmaA);
+    const auto reflectance = FindSpectrumTexture(params, named, kReflectance);
+    const auto color = FindSpectrumTexture(params, named, kColor);
     if (reflectance && color)
-        params.Error("color", "give \"reflectance\" or \"color\", which means the same, not both");
-    const auto given = [&](std::string_view name) {
-        return params.Has(name, "float") || params.Has(name, "texture");
-    };
-    const auto outrank = [&](std::string_view winner,
-                             std::initializer_list<std::string_view> names) {
-        for (std::string_view name : names)
-            if (params.Has(name))
-                params.Warning(name,
-                               fmt::format("\"{}\" has no effect beside \"{}\"", name, winner));
+        params.Error(kColor.name,
+                     "give \"reflectance\" or \"color\", which means the same, not both");
+    const auto outrank = [&](std::string_view winner, std::initializer_list<ParamRow> others) {
+        for (const ParamRow &row : others)
+            if (params.HasOrTexture(row))
+                params.Warning(NameOf(row), fmt::format("\"{}\" has no effect beside \"{}\"",
+                                                        NameOf(row), winner));
     };
     if (sigma_a) {
         m.pigment = Pigment::SigmaA, m.color = *sigma_a;
-        outrank("sigma_a", {"reflectance", "color", "eumelanin", "pheomelanin"});
+        outrank(kSigmaA.name, {kReflectance, kColor, kEumelanin, kPheomelanin});
     } else if (reflectance || color) {
         m.pigment = Pigment::Reflectance, m.color = reflectance ? *reflectance : *color;
-        outrank(reflectance ? "reflectance" : "color", {"eumelanin", "pheomelanin"});
+        outrank(reflectance ? kReflectance.name : kColor.name, {kEumelanin, kPheomelanin});
     }
     FloatParam eumelanin = kEumelanin;
-    if (!given("eumelanin") && !given("pheomelanin")) eumelanin.def = kDefaultEumelanin;
+    if (params.HasOrTexture(kEumelanin) || params.HasOrTexture(kPheomelanin)) eumelanin.def = 0;
     m.eumelanin = {params, named, eumelanin};
     m.pheomelanin = {params, named, kPheomelanin};
     if (m.pigment == Pigment::Melanin && m.eumelanin.IsConstant() && m.pheomelanin.IsConstant()) {
@@ -74,10 +72,10 @@ SampledSpectrum HairMaterial::Absorption(const TextureEvalContext &ctx,
     return RGBColorSpace::sRGB().SampleUnbounded(sigma, lambda);
 }
 
-std::string HairMaterial::Warnings() const {
+std::string HairMaterial::Warnings(const ClampCounts &counts) const {
     std::string text;
     for (const BoundedTexture *t : {&eumelanin, &pheomelanin, &eta, &betaM, &betaN, &alpha})
-        t->AddRemark(kName, &text);
+        t->AddWarning(kName, counts, &text);
     return text;
 }
 

@@ -1,6 +1,9 @@
 #pragma once
 
-#include "pbrt/bxdfs/hair.h"
+#include <array>
+
+#include "pbrt/base/material.h"
+#include "pbrt/bxdfs/hair_bxdf.h"
 #include "pbrt/materials/bounded_texture.h"
 
 namespace pbrt {
@@ -13,7 +16,11 @@ namespace pbrt {
 class HairMaterial {
   public:
     static constexpr std::string_view kName = "hair";
-    static constexpr bool kFibre = true;
+    static constexpr MaterialTraits kTraits{.fibre = true, .laidByUV = true, .warns = true};
+    static constexpr std::array<std::string_view, 4> kExamples{
+        "", "\"float eumelanin\" 8 \"float beta_m\" 0.2",
+        "\"rgb reflectance\" [0.5 0.3 0.1] \"float beta_n\" 1",
+        "\"rgb sigma_a\" [0 0 0] \"float alpha\" 0"};
     static HairMaterial Create(ParamDict &params, const NamedTextures &named);
 
     static constexpr std::string_view LaidByUV() { return "fibres"; }
@@ -23,7 +30,7 @@ class HairMaterial {
                         betaM.Evaluate(ctx), beta_n, alpha.Evaluate(ctx));
     }
     /// A sentence where texture values had to be clamped; else empty.
-    std::string Warnings() const;
+    std::string Warnings(const ClampCounts &counts) const;
 
   private:
     enum class Pigment { SigmaA, Reflectance, Melanin };
@@ -35,5 +42,6 @@ class HairMaterial {
     BoundedTexture eumelanin, pheomelanin;
     BoundedTexture eta, betaM, betaN, alpha;
 };
+static_assert(MaterialType<HairMaterial>);
 
 }  // namespace pbrt

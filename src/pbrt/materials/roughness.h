@@ -19,13 +19,13 @@ struct Roughness {
     bool IsUniform() const {
         return u.IsConstant() && v.IsConstant() && u.Constant() == v.Constant();
     }
-    /// See LaidByUV of materials.
+    /// See MaterialTraits::laidByUV.
     std::string_view LaidByUV() const {
         const bool differ = u.IsConstant() && v.IsConstant() && u.Constant() != v.Constant();
         return differ ? "directions of roughness" : "";
     }
-    /// See Warnings of materials.
-    std::string Warnings(std::string_view owner) const;
+    /// See MaterialTraits::warns.
+    std::string Warnings(std::string_view owner, const ClampCounts &counts) const;
 };
 
 }  // namespace pbrt

@@ -6,6 +6,7 @@
 
 #include "pbrt/image/image.h"
 #include "pbrt/ptex/texels.h"
+#include "pbrt/util/result.h"
 #include "pbrt/util/vecmath.h"
 
 namespace pbrt {

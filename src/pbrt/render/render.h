@@ -35,7 +35,7 @@ struct Overrides : SceneOverrides {
 
 /// Makes everything that the description names; it is left empty. Mistakes go to the log; where
 /// there are any, nullopt is returned.
-std::optional<RenderTask> MakeRenderTask(SceneDescription &description, const Overrides &overrides,
+std::optional<RenderTask> MakeRenderTask(SceneDescription &&description, const Overrides &overrides,
                                          Diagnostics &log);
 
 struct RenderStats {
@@ -51,10 +51,10 @@ using RenderProgress = std::function<bool(int64_t done, int64_t total)>;
 /// Renders the film's image with `nThreads` threads (0: all cores), tile by tile. The image does
 /// not depend on their number. nullopt where `progress` stopped it.
 ///
-/// `afterPass`, if given: all pixels get their first block of samples, then their next (BlockAt), and
-/// afterPass(samples per pixel) is called each time, when *image is the image of these. The last is
-/// the same as without it. RenderTask::targetError is ignored; takes
-/// sizeof(Film::Pixel) bytes a pixel more.
+/// `afterPass`, if given: all pixels get their first block of samples, then their next (BlockAt),
+/// and afterPass(samples per pixel) is called each time, when *image is the image of these. The
+/// last is the same as without it. RenderTask::targetError is ignored; takes sizeof(Film::Pixel)
+/// bytes a pixel more.
 std::optional<RenderStats> Render(const RenderTask &task, int nThreads,
                                   const RenderProgress &progress, Image *image,
                                   const std::function<void(int)> &afterPass = {});

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
+
+#include "pbrt/base/sampler.h"
 #include "pbrt/samplers/pixel_table.h"
-#include "pbrt/samplers/sampler.h"
 
 namespace pbrt {
 
@@ -9,6 +11,9 @@ namespace pbrt {
 class IndependentSampler {
   public:
     static constexpr std::string_view kName = "independent";
+    static constexpr SamplerTraits kTraits{.hasBatches = true};
+    static constexpr std::array<std::string_view, 2> kExamples{
+        "", "\"integer pixelsamples\" 16 \"integer seed\" 3"};
 
     explicit IndependentSampler(int samplesPerPixel = 4, int seed = 0)
         : samplesPerPixel(samplesPerPixel), seed(seed) {}
@@ -25,7 +30,6 @@ class IndependentSampler {
         const uint64_t bits = Mix64(state += kGolden64);
         return {ToUnitFloat(uint32_t(bits >> 32)), ToUnitFloat(uint32_t(bits))};
     }
-    Point2f GetPixel2D() { return Get2D(); }
 
     void StartBatch(std::span<const Point2i> pixels) { batch.Start(pixels, seed); }
     FloatX16 Get1D(int dimension, UintX16 pixel, UintX16 sampleIndex) const {
@@ -44,5 +48,6 @@ class IndependentSampler {
     uint64_t state = 0;
     PixelHashes batch;
 };
+static_assert(SamplerType<IndependentSampler>);
 
 }  // namespace pbrt

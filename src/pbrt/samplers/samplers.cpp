@@ -8,14 +8,14 @@ namespace {
 constexpr int kMaxStrata = 1 << 10;
 constexpr int kMaxZSobolResolution = 1 << 16;
 
-int ReadSamples(ParamDict &params, int def, const SamplerContext &context) {
-    const int written = params.GetOneInt("pixelsamples", def, 1, kMaxSamplesPerPixel);
-    return context.spp.value_or(written);
-}
-
-int ReadSeed(ParamDict &params, const SamplerContext &context) {
-    return params.GetOneInt("seed", context.seed);
-}
+constexpr IntParam kXSamples{"xsamples", 4, 1, kMaxStrata, "cells of a pixel across"};
+constexpr IntParam kYSamples{"ysamples", 4, 1, kMaxStrata, "cells of a pixel down"};
+constexpr BoolParam kJitter{"jitter", true,
+                            "samples lie anywhere in their cells, not in the middle"};
+constexpr std::array<std::string_view, 4> kRandomizations{"none", "permutedigits", "owen",
+                                                          "fastowen"};
+constexpr ChoiceParam kRandomization{"randomization", kRandomizations[3], kRandomizations,
+                                     "what is done to the digits of the Sobol' points"};
 
 /// The two factors of n that are nearest to each other, the larger first.
 Point2i NearlySquare(int n) {
@@ -32,9 +32,8 @@ IndependentSampler IndependentSampler::Create(ParamDict &params, const SamplerCo
 }
 
 StratifiedSampler StratifiedSampler::Create(ParamDict &params, const SamplerContext &context) {
-    Point2i cells{params.GetOneInt("xsamples", 4, 1, kMaxStrata),
-                  params.GetOneInt("ysamples", 4, 1, kMaxStrata)};
-    const bool jitter = params.GetOneBool("jitter", true);
+    Point2i cells{params.GetOneInt(kXSamples), params.GetOneInt(kYSamples)};
+    const bool jitter = params.GetOneBool(kJitter);
     if (context.spp > kMaxStrata * kMaxStrata)
         params.Error(fmt::format("stratified takes up to {} samples per pixel, not {}",
                                  kMaxStrata * kMaxStrata, *context.spp));
@@ -44,8 +43,6 @@ StratifiedSampler StratifiedSampler::Create(ParamDict &params, const SamplerCont
 }
 
 ZSobolSampler ZSobolSampler::Create(ParamDict &params, const SamplerContext &context) {
-    static constexpr std::array<std::string_view, 4> kNames{"none", "permutedigits", "owen",
-                                                            "fastowen"};
     const int asked = ReadSamples(params, 16, context);
     const int used = int(std::bit_floor(uint32_t(asked)));
     if (used != asked) {
@@ -54,7 +51,7 @@ ZSobolSampler ZSobolSampler::Create(ParamDict &params, const SamplerContext &con
                                    "instead of {}",
                                    used, asked));
     }
-    const int randomization = params.GetOneChoice("randomization", "fastowen", kNames);
+    const int randomization = params.GetOneChoice(kRandomization);
     Point2i resolution = context.fullResolution;
     if (std::max(resolution.x, resolution.y) > kMaxZSobolResolution) {
         params.Error(fmt::format("zsobol takes pictures of up to {} pixels a side, this one has {}",

@@ -3,18 +3,24 @@
 #include <optional>
 
 #include "pbrt/samplers/independent.h"
+#include "pbrt/samplers/sampler_params.h"
 #include "pbrt/samplers/stratified.h"
 #include "pbrt/samplers/zsobol.h"
 #include "pbrt/util/type_list.h"
 
 namespace pbrt {
 
-/// Limit of every sampler but `stratified`, which has 2^20.
-inline constexpr int kMaxSamplesPerPixel = 1 << 24;
-
-/// The one list of samplers.
+/// The one list of samplers. Parser, messages and tests follow from it.
 using SamplerTypes = TypeList<ZSobolSampler, IndependentSampler, StratifiedSampler>;
 using Sampler = SamplerTypes::Variant;
+
+template <SamplerType S>
+inline constexpr bool kIsSampler = true;
+static_assert(SamplerTypes::All([]<typename S>() { return kIsSampler<S>; }));
+
+inline int SamplesPerPixel(const Sampler &sampler) {
+    return Dispatch(sampler, [](const auto &s) { return s.SamplesPerPixel(); });
+}
 
 /// Reads the sampler's parameters; `spp`, `seed` and `fullResolution` as in SamplerContext.
 /// nullopt, with the error reported, where `type` is unknown; a wrong value is reported and its

@@ -1,11 +1,12 @@
 #pragma once
 
+#include <array>
 #include <span>
 
+#include "pbrt/base/sampler.h"
 #include "pbrt/samplers/dimension_block.h"
 #include "pbrt/samplers/permutation.h"
 #include "pbrt/samplers/pixel_table.h"
-#include "pbrt/samplers/sampler.h"
 #include "pbrt/util/hash.h"
 
 namespace pbrt {
@@ -15,6 +16,10 @@ namespace pbrt {
 class StratifiedSampler {
   public:
     static constexpr std::string_view kName = "stratified";
+    static constexpr SamplerTraits kTraits{.hasBatches = true};
+    static constexpr std::array<std::string_view, 4> kExamples{
+        "", "\"integer xsamples\" 5 \"integer ysamples\" 3", "\"bool jitter\" false",
+        "\"integer xsamples\" 1 \"integer ysamples\" 1"};
 
     /// Without jitter samples lie in the cells' middles. Counts from 1 to 2^10.
     explicit StratifiedSampler(int xSamples = 4, int ySamples = 4, bool jitter = true, int seed = 0)
@@ -40,7 +45,6 @@ class StratifiedSampler {
         const int lane = NextLane();
         return {numbers.x[lane], numbers.y[lane]};
     }
-    Point2f GetPixel2D() { return Get2D(); }
 
     void StartBatch(std::span<const Point2i> pixels) { batch.Start(pixels, seed); }
     FloatX16 Get1D(int dimension, UintX16 pixel, UintX16 sampleIndex) const {
@@ -78,6 +82,7 @@ class StratifiedSampler {
     Numbers numbers{};
     PixelHashes batch;
 };
+static_assert(SamplerType<StratifiedSampler>);
 
 inline StratifiedSampler::Numbers StratifiedSampler::NumbersOf(UintX16 dimension,
                                                                const Uint64X16 &hashes,

@@ -4,10 +4,10 @@
 #include <bit>
 #include <span>
 
+#include "pbrt/base/sampler.h"
 #include "pbrt/samplers/dimension_block.h"
 #include "pbrt/samplers/permutation.h"
 #include "pbrt/samplers/pixel_table.h"
-#include "pbrt/samplers/sampler.h"
 #include "pbrt/samplers/sobol.h"
 #include "pbrt/util/check.h"
 
@@ -32,6 +32,11 @@ enum class Randomization { None, PermuteDigits, Owen, FastOwen };
 class ZSobolSampler {
   public:
     static constexpr std::string_view kName = "zsobol";
+    static constexpr SamplerTraits kTraits{.hasBatches = true};
+    static constexpr std::array<std::string_view, 4> kExamples{
+        "", "\"string randomization\" \"owen\" \"integer pixelsamples\" 32",
+        "\"string randomization\" \"permutedigits\" \"integer seed\" 9",
+        "\"integer pixelsamples\" 1"};
 
     /// samplesPerPixel: a power of two up to 2^24; resolution up to 2^16 on each side.
     explicit ZSobolSampler(int samplesPerPixel = 16, Point2i fullResolution = {1, 1},
@@ -63,7 +68,6 @@ class ZSobolSampler {
         const int lane = block.Next([this](int first) { FillNumbers(first); });
         return {numbers.x[lane], numbers.y[lane]};
     }
-    Point2f GetPixel2D() { return Get2D(); }
 
     void StartBatch(std::span<const Point2i> pixels);
     FloatX16 Get1D(int dimension, UintX16 pixel, UintX16 sampleIndex) {
@@ -125,6 +129,7 @@ class ZSobolSampler {
     PixelTable batchMorton;
     std::array<BatchDimension, kKnownDimensions> batch;  ///< [dimension % size]
 };
+static_assert(SamplerType<ZSobolSampler>);
 
 inline ZSobolSampler::DimensionKeys ZSobolSampler::KeysOf(UintX16 dimension) const {
     const UintX16 key = Mix32(dimension * 0x9e3779b9 + seedBits);

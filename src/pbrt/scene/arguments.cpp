@@ -1,20 +1,18 @@
-// The arguments of directives: names, numbers, matrices.
+#include "pbrt/scene/arguments.h"
 
 #include <fmt/format.h>
 
+#include <cctype>
+
 #include "pbrt/scene/number.h"
-#include "pbrt/scene/parser.h"
 
 namespace pbrt {
-namespace {
 
-bool IsDirective(const Token &t) {
-    return t.kind == TokenKind::Word && FindDirective(t.text);
+bool MayBeDirective(std::string_view word) {
+    return std::isalpha(static_cast<unsigned char>(word[0])) && word != "true" && word != "false";
 }
 
-}  // namespace
-
-std::optional<std::string> Parser::Name(std::string_view what) {
+std::optional<std::string> Arguments::Name(std::string_view what) {
     const Token &t = lexer->Peek();
     if (lexer->Peek().kind == TokenKind::Word && lexer->ReportMissingQuote())
         return Resynchronise(), std::nullopt;
@@ -29,20 +27,19 @@ std::optional<std::string> Parser::Name(std::string_view what) {
     return name;
 }
 
-std::optional<Entity> Parser::NamedEntity(std::string_view what) {
+std::optional<Entity> Arguments::NamedEntity(std::string_view what,
+                                             const RGBColorSpace *colorSpace) {
     std::optional<std::string> type = Name(what);
     if (!type) return {};
-    return EntityOfType(std::move(*type));
+    return EntityOfType(std::move(*type), colorSpace);
 }
 
-Entity Parser::EntityOfType(std::string type) {
-    const FileLoc loc = at;
-    return {std::move(type), loc, parameters.Read(*lexer, builder.ColorSpace()),
-            builder.ColorSpace()};
+Entity Arguments::EntityOfType(std::string type, const RGBColorSpace *colorSpace) {
+    return {std::move(type), at, Parameters(colorSpace), colorSpace};
 }
 
 template <typename Describe>
-bool Parser::NextNumber(float *value, Describe describe) {
+bool Arguments::NextNumber(float *value, Describe describe) {
     const Token &t = lexer->Peek();
     const bool word = t.kind == TokenKind::Word;
     const std::optional<float> number = word ? ParseFloat(t.text) : std::nullopt;
@@ -53,7 +50,7 @@ bool Parser::NextNumber(float *value, Describe describe) {
     return number.has_value();
 }
 
-std::optional<std::vector<float>> Parser::Numbers(std::span<const std::string_view> labels) {
+std::optional<std::vector<float>> Arguments::Numbers(std::span<const std::string_view> labels) {
     std::vector<float> numbers(labels.size());
     for (size_t i = 0; i < labels.size(); ++i) {
         const auto which = [&] {
@@ -64,8 +61,7 @@ std::optional<std::vector<float>> Parser::Numbers(std::span<const std::string_vi
     return numbers;
 }
 
-/// 16 numbers in brackets, column after column.
-std::optional<Matrix4> Parser::BracketedMatrix() {
+std::optional<Matrix4> Arguments::BracketedMatrix() {
     if (lexer->Peek().kind != TokenKind::Open) {
         Expected("\"[\" and the 16 numbers of a matrix");
         return Resynchronise(), std::nullopt;
@@ -84,14 +80,25 @@ std::optional<Matrix4> Parser::BracketedMatrix() {
     return m;
 }
 
-void Parser::Expected(std::string_view what) {
+void Arguments::Expected(std::string_view what) {
     const Token &t = lexer->Peek();
     if (t.kind == TokenKind::Broken || lexer->ReportMissingQuote()) return;  // by the lexer
     Error(lexer->Loc(), fmt::format("expected {}, found {}", what, Describe(t)));
 }
 
-void Parser::Error(const FileLoc &loc, std::string_view message) {
-    log->Error(loc, fmt::format("{}: {}", directive->name, message));
+void Arguments::Error(const FileLoc &loc, std::string_view message) {
+    log->Error(loc, fmt::format("{}: {}", directive, message));
+}
+
+void Arguments::Resynchronise() {
+    for (; lexer->Peek().kind != TokenKind::End; lexer->Advance()) {
+        const Token &t = lexer->Peek();
+        if (t.kind == TokenKind::Open) ++depth;
+        if (t.kind == TokenKind::Close && depth > 0) --depth;
+        if (t.kind != TokenKind::Word) continue;
+        const bool misspelt = depth == 0 && lexer->AtLineStart() && MayBeDirective(t.text);
+        if (misspelt || isDirective(t.text)) return;
+    }
 }
 
 }  // namespace pbrt

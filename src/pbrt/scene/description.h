@@ -51,6 +51,8 @@ struct Options {
 
 /// Names that `Option` takes, as PBRT_FORMAT 1.4 spells them.
 std::span<const std::string_view> OptionNames();
+/// What each of them means, but for those that have no effect here.
+std::span<const ParamRow> OptionRows();
 
 /// A whole scene as written: plain entities, printable, nothing interpreted.
 struct SceneDescription {

@@ -8,55 +8,237 @@
 #include <array>
 #include <unordered_map>
 
-#include "pbrt/scene/number.h"
-#include "pbrt/scene/parser.h"
+#include "pbrt/scene/option_directive.h"
+#include "pbrt/scene/transform_directives.h"
 
 namespace pbrt {
 namespace {
 
+// --- Settings of the whole picture ---
+
+void ReadAccelerator(DirectiveContext &c) {
+    if (auto e = c.NamedEntity("the accelerator's name")) c.scene->accelerator = std::move(*e);
+}
+void ReadCamera(DirectiveContext &c) {
+    if (auto e = c.NamedEntity("the camera's name")) c.builder.Camera(std::move(*e));
+}
+void ReadFilm(DirectiveContext &c) {
+    if (auto e = c.NamedEntity("the film's name")) c.scene->film = std::move(*e);
+}
+void ReadIntegrator(DirectiveContext &c) {
+    if (auto e = c.NamedEntity("the integrator's name")) c.scene->integrator = std::move(*e);
+}
+void ReadPixelFilter(DirectiveContext &c) {
+    if (auto e = c.NamedEntity("the filter's name")) c.scene->filter = std::move(*e);
+}
+void ReadSampler(DirectiveContext &c) {
+    if (auto e = c.NamedEntity("the sampler's name")) c.scene->sampler = std::move(*e);
+}
+
+void ReadColorSpace(DirectiveContext &c) {
+    const FileLoc loc = c.arguments.Loc();
+    const std::optional<std::string> name = c.arguments.Name("the colour space's name");
+    if (!name) return;
+    if (const RGBColorSpace *space = RGBColorSpace::Named(*name))
+        return c.builder.SetColorSpace(space);
+    c.arguments.Error(
+        loc, fmt::format("\"{}\" is not one of {}{}", *name, QuotedList(RGBColorSpace::Names()),
+                         DidYouMean(*name, RGBColorSpace::Names())));
+}
+
+void ReadAttribute(DirectiveContext &c) {
+    const FileLoc loc = c.arguments.Loc();
+    const std::optional<std::string> name = c.arguments.Name("the target's name");
+    if (!name) return;
+    const auto target = std::find(kAttributeTargets.begin(), kAttributeTargets.end(), *name);
+    const bool known = target != kAttributeTargets.end();
+    if (!known)
+        c.arguments.Error(
+            loc, fmt::format("\"{}\" is not one of {}{}", *name, QuotedList(kAttributeTargets),
+                             DidYouMean(*name, kAttributeTargets)));
+    ParsedParameters list = c.arguments.Parameters(c.builder.ColorSpace());
+    if (known)
+        c.builder.AddAttribute(AttributeTarget(target - kAttributeTargets.begin()),
+                               std::move(list));
+}
+
+void ReadReverseOrientation(DirectiveContext &c) {
+    c.builder.ReverseOrientation();
+}
+void ReadWorldBegin(DirectiveContext &c) {
+    if (c.builder.InWorld())
+        return c.log->Error(c.arguments.At(),
+                            fmt::format("a second WorldBegin; the first is at {}:{}:{}",
+                                        c.worldBegin.file, c.worldBegin.line, c.worldBegin.column));
+    c.worldBegin = c.arguments.At();
+    c.builder.WorldBegin();
+}
+
+// --- Scopes ---
+
+void ReadAttributeBegin(DirectiveContext &c) {
+    c.builder.AttributeBegin(c.arguments.At());
+}
+void ReadAttributeEnd(DirectiveContext &c) {
+    c.builder.AttributeEnd(c.arguments.At());
+}
+void ReadTransformBegin(DirectiveContext &c) {
+    if (!c.saidTransformBegin)
+        c.log->Warning(c.arguments.At(),
+                       "TransformBegin and TransformEnd are read as AttributeBegin and "
+                       "AttributeEnd: pbrt-v4 has only these");
+    c.saidTransformBegin = true;
+    ReadAttributeBegin(c);
+}
+void ReadTransformEnd(DirectiveContext &c) {
+    ReadAttributeEnd(c);
+}
+
+void ReadObjectBegin(DirectiveContext &c) {
+    const std::optional<std::string> name = c.arguments.Name("the object's name");
+    c.builder.ObjectBegin(name.value_or(""), c.arguments.At());
+}
+void ReadObjectEnd(DirectiveContext &c) {
+    c.builder.ObjectEnd(c.arguments.At());
+}
+void ReadObjectInstance(DirectiveContext &c) {
+    if (const auto name = c.arguments.Name("the object's name"))
+        c.builder.ObjectInstance(*name, c.arguments.At());
+}
+
+// --- Contents of the world ---
+
+void ReadShape(DirectiveContext &c) {
+    if (auto e = c.NamedEntity("the shape's name")) c.builder.Shape(std::move(*e));
+}
+void ReadLightSource(DirectiveContext &c) {
+    if (auto e = c.NamedEntity("the light's name")) c.builder.LightSource(std::move(*e));
+}
+void ReadAreaLightSource(DirectiveContext &c) {
+    if (auto e = c.NamedEntity("the area light's name")) c.builder.AreaLightSource(std::move(*e));
+}
+void ReadMaterial(DirectiveContext &c) {
+    if (auto e = c.NamedEntity("the material's name")) c.builder.Material(std::move(*e));
+}
+
+void ReadMakeNamedMaterial(DirectiveContext &c) {
+    const std::optional<std::string> name = c.arguments.Name("the material's name");
+    if (!name) return;
+    Entity e = c.arguments.EntityOfType("", c.builder.ColorSpace());
+    const auto type = std::find_if(e.params.rbegin(), e.params.rend(), [](const auto &p) {
+        return p.name == "type" && p.type == "string" && p.strings.size() == 1;
+    });
+    if (type == e.params.rend()) {
+        c.log->Error(c.arguments.At(),
+                     fmt::format("material \"{}\" lacks its \"string type\"", *name));
+        return c.builder.RefuseNamedMaterial(*name, c.arguments.At());
+    }
+    e.type = type->strings[0];
+    std::erase_if(e.params, [](const auto &p) { return p.name == "type" && p.type == "string"; });
+    c.builder.MakeNamedMaterial(*name, std::move(e));
+}
+
+void ReadNamedMaterial(DirectiveContext &c) {
+    if (const auto name = c.arguments.Name("the material's name"))
+        c.builder.NamedMaterial(*name, c.arguments.At());
+}
+
+void ReadTexture(DirectiveContext &c) {
+    constexpr std::array<std::string_view, 2> kKinds{"float", "spectrum"};
+    const std::optional<std::string> name = c.arguments.Name("the texture's name");
+    const FileLoc loc = c.arguments.Loc();
+    const std::optional<std::string> kind =
+        name ? c.arguments.Name("\"float\" or \"spectrum\"") : std::nullopt;
+    if (!kind) return;
+    const bool known = *kind == kKinds[0] || *kind == kKinds[1];
+    if (!known)
+        c.arguments.Error(loc, fmt::format("\"{}\" is not one of {}{}", *kind, QuotedList(kKinds),
+                                           *kind == "color" ? "; pbrt-v4 calls it \"spectrum\""
+                                                            : DidYouMean(*kind, kKinds)));
+    std::optional<Entity> e = c.NamedEntity("the texture's class");
+    if (e && known) c.builder.Texture(*name, *kind == kKinds[0], std::move(*e));
+}
+
+// --- Media, which this renderer has not ---
+
+void ReadMakeNamedMedium(DirectiveContext &c) {
+    if (const auto name = c.arguments.Name("the medium's name"))
+        c.arguments.EntityOfType(*name, c.builder.ColorSpace());
+    c.log->Error(c.arguments.At(), "participating media are not supported");
+}
+
+void ReadMediumInterface(DirectiveContext &c) {
+    bool vacuum = true;
+    for (int i = 0; i < 2; ++i) {
+        if (i == 1 && c.arguments.Peek().kind != TokenKind::String) break;
+        const std::optional<std::string> name = c.arguments.Name("the medium's name");
+        if (!name) return;
+        vacuum = vacuum && name->empty();
+    }
+    if (!vacuum) c.log->Error(c.arguments.At(), "participating media are not supported");
+}
+
+// --- Other files ---
+
+void ReadInclude(DirectiveContext &c) {
+    const FileLoc use = c.arguments.Loc();
+    if (const auto name = c.arguments.Name("the file's name")) c.readNested(*name, use);
+}
+
+void ReadImport(DirectiveContext &c) {
+    const FileLoc use = c.arguments.Loc();
+    const std::optional<std::string> name = c.arguments.Name("the file's name");
+    if (!name) return;
+    c.builder.BeginImport();
+    c.readNested(*name, use);
+    c.builder.EndImport();
+}
+
+// --- The list of all ---
+
 using enum Where;
 
 constexpr std::array kDirectives{
-    Directive{"Accelerator", BeforeWorld, &Parser::Accelerator},
-    Directive{"ActiveTransform", Anywhere, &Parser::ActiveTransform},
-    Directive{"AreaLightSource", InWorld, &Parser::AreaLightSource},
-    Directive{"Attribute", Anywhere, &Parser::Attribute},
-    Directive{"AttributeBegin", InWorld, &Parser::AttributeBegin},
-    Directive{"AttributeEnd", InWorld, &Parser::AttributeEnd},
-    Directive{"Camera", BeforeWorld, &Parser::Camera},
-    Directive{"ColorSpace", Anywhere, &Parser::ColorSpace},
-    Directive{"ConcatTransform", Anywhere, &Parser::ConcatTransform},
-    Directive{"CoordSysTransform", Anywhere, &Parser::CoordSysTransform},
-    Directive{"CoordinateSystem", Anywhere, &Parser::CoordinateSystem},
-    Directive{"Film", BeforeWorld, &Parser::Film},
-    Directive{"Identity", Anywhere, &Parser::Identity},
-    Directive{"Import", InWorld, &Parser::Import},
-    Directive{"Include", Anywhere, &Parser::Include},
-    Directive{"Integrator", BeforeWorld, &Parser::Integrator},
-    Directive{"LightSource", InWorld, &Parser::LightSource},
-    Directive{"LookAt", Anywhere, &Parser::LookAt},
-    Directive{"MakeNamedMaterial", InWorld, &Parser::MakeNamedMaterial},
-    Directive{"MakeNamedMedium", Anywhere, &Parser::MakeNamedMedium},
-    Directive{"Material", InWorld, &Parser::Material},
-    Directive{"MediumInterface", Anywhere, &Parser::MediumInterface},
-    Directive{"NamedMaterial", InWorld, &Parser::NamedMaterial},
-    Directive{"ObjectBegin", InWorld, &Parser::ObjectBegin},
-    Directive{"ObjectEnd", InWorld, &Parser::ObjectEnd},
-    Directive{"ObjectInstance", InWorld, &Parser::ObjectInstance},
-    Directive{"Option", Anywhere, &Parser::Option},
-    Directive{"PixelFilter", BeforeWorld, &Parser::PixelFilter},
-    Directive{"ReverseOrientation", InWorld, &Parser::ReverseOrientation},
-    Directive{"Rotate", Anywhere, &Parser::Rotate},
-    Directive{"Sampler", BeforeWorld, &Parser::Sampler},
-    Directive{"Scale", Anywhere, &Parser::Scale},
-    Directive{"Shape", InWorld, &Parser::Shape},
-    Directive{"Texture", InWorld, &Parser::Texture},
-    Directive{"Transform", Anywhere, &Parser::Transform},
-    Directive{"TransformBegin", InWorld, &Parser::TransformBegin},
-    Directive{"TransformEnd", InWorld, &Parser::TransformEnd},
-    Directive{"TransformTimes", BeforeWorld, &Parser::TransformTimes},
-    Directive{"Translate", Anywhere, &Parser::Translate},
-    Directive{"WorldBegin", Anywhere, &Parser::WorldBegin},
+    Directive{"Accelerator", BeforeWorld, ReadAccelerator},
+    Directive{"ActiveTransform", Anywhere, ReadActiveTransform},
+    Directive{"AreaLightSource", InWorld, ReadAreaLightSource},
+    Directive{"Attribute", Anywhere, ReadAttribute},
+    Directive{"AttributeBegin", InWorld, ReadAttributeBegin},
+    Directive{"AttributeEnd", InWorld, ReadAttributeEnd},
+    Directive{"Camera", BeforeWorld, ReadCamera},
+    Directive{"ColorSpace", Anywhere, ReadColorSpace},
+    Directive{"ConcatTransform", Anywhere, ReadConcatTransform},
+    Directive{"CoordSysTransform", Anywhere, ReadCoordSysTransform},
+    Directive{"CoordinateSystem", Anywhere, ReadCoordinateSystem},
+    Directive{"Film", BeforeWorld, ReadFilm},
+    Directive{"Identity", Anywhere, ReadIdentity},
+    Directive{"Import", InWorld, ReadImport},
+    Directive{"Include", Anywhere, ReadInclude},
+    Directive{"Integrator", BeforeWorld, ReadIntegrator},
+    Directive{"LightSource", InWorld, ReadLightSource},
+    Directive{"LookAt", Anywhere, ReadLookAt},
+    Directive{"MakeNamedMaterial", InWorld, ReadMakeNamedMaterial},
+    Directive{"MakeNamedMedium", Anywhere, ReadMakeNamedMedium},
+    Directive{"Material", InWorld, ReadMaterial},
+    Directive{"MediumInterface", Anywhere, ReadMediumInterface},
+    Directive{"NamedMaterial", InWorld, ReadNamedMaterial},
+    Directive{"ObjectBegin", InWorld, ReadObjectBegin},
+    Directive{"ObjectEnd", InWorld, ReadObjectEnd},
+    Directive{"ObjectInstance", InWorld, ReadObjectInstance},
+    Directive{"Option", Anywhere, ReadOption},
+    Directive{"PixelFilter", BeforeWorld, ReadPixelFilter},
+    Directive{"ReverseOrientation", InWorld, ReadReverseOrientation},
+    Directive{"Rotate", Anywhere, ReadRotate},
+    Directive{"Sampler", BeforeWorld, ReadSampler},
+    Directive{"Scale", Anywhere, ReadScale},
+    Directive{"Shape", InWorld, ReadShape},
+    Directive{"Texture", InWorld, ReadTexture},
+    Directive{"Transform", Anywhere, ReadTransform},
+    Directive{"TransformBegin", InWorld, ReadTransformBegin},
+    Directive{"TransformEnd", InWorld, ReadTransformEnd},
+    Directive{"TransformTimes", BeforeWorld, ReadTransformTimes},
+    Directive{"Translate", Anywhere, ReadTranslate},
+    Directive{"WorldBegin", Anywhere, ReadWorldBegin},
 };
 
 constexpr std::array<std::string_view, kDirectives.size()> kNames = [] {
@@ -89,177 +271,6 @@ std::string_view OldDirectiveHint(std::string_view name) {
     if (name == "VolumeIntegrator" || name == "Volume" || name == "Renderer")
         return "pbrt-v4 has none";
     return {};
-}
-
-// --- Settings of the whole picture ---
-
-void Parser::Accelerator() {
-    if (auto e = NamedEntity("the accelerator's name")) scene->accelerator = std::move(*e);
-}
-void Parser::Camera() {
-    if (auto e = NamedEntity("the camera's name")) builder.Camera(std::move(*e));
-}
-void Parser::Film() {
-    if (auto e = NamedEntity("the film's name")) scene->film = std::move(*e);
-}
-void Parser::Integrator() {
-    if (auto e = NamedEntity("the integrator's name")) scene->integrator = std::move(*e);
-}
-void Parser::PixelFilter() {
-    if (auto e = NamedEntity("the filter's name")) scene->filter = std::move(*e);
-}
-void Parser::Sampler() {
-    if (auto e = NamedEntity("the sampler's name")) scene->sampler = std::move(*e);
-}
-
-void Parser::ColorSpace() {
-    const FileLoc loc = lexer->Loc();
-    const std::optional<std::string> name = Name("the colour space's name");
-    if (!name) return;
-    if (const RGBColorSpace *space = RGBColorSpace::Named(*name))
-        return builder.SetColorSpace(space);
-    Error(loc, fmt::format("\"{}\" is not one of {}{}", *name, QuotedList(RGBColorSpace::Names()),
-                           DidYouMean(*name, RGBColorSpace::Names())));
-}
-
-void Parser::Attribute() {
-    const FileLoc loc = lexer->Loc();
-    const std::optional<std::string> name = Name("the target's name");
-    if (!name) return;
-    const auto target = std::find(kAttributeTargets.begin(), kAttributeTargets.end(), *name);
-    const bool known = target != kAttributeTargets.end();
-    if (!known)
-        Error(loc, fmt::format("\"{}\" is not one of {}{}", *name, QuotedList(kAttributeTargets),
-                               DidYouMean(*name, kAttributeTargets)));
-    ParsedParameters list = parameters.Read(*lexer, builder.ColorSpace());
-    if (known)
-        builder.AddAttribute(AttributeTarget(target - kAttributeTargets.begin()), std::move(list));
-}
-
-void Parser::ReverseOrientation() {
-    builder.ReverseOrientation();
-}
-void Parser::WorldBegin() {
-    if (builder.InWorld())
-        return log->Error(at, fmt::format("a second WorldBegin; the first is at {}:{}:{}",
-                                          worldBegin.file, worldBegin.line, worldBegin.column));
-    worldBegin = at;
-    builder.WorldBegin();
-}
-
-// --- Scopes ---
-
-void Parser::AttributeBegin() {
-    builder.AttributeBegin(at);
-}
-void Parser::AttributeEnd() {
-    builder.AttributeEnd(at);
-}
-void Parser::TransformBegin() {
-    if (!saidTransformBegin)
-        log->Warning(at,
-                     "TransformBegin and TransformEnd are read as AttributeBegin and "
-                     "AttributeEnd: pbrt-v4 has only these");
-    saidTransformBegin = true;
-    AttributeBegin();
-}
-void Parser::TransformEnd() {
-    AttributeEnd();
-}
-
-void Parser::ObjectBegin() {
-    const std::optional<std::string> name = Name("the object's name");
-    builder.ObjectBegin(name.value_or(""), at);
-}
-void Parser::ObjectEnd() {
-    builder.ObjectEnd(at);
-}
-void Parser::ObjectInstance() {
-    if (const auto name = Name("the object's name")) builder.ObjectInstance(*name, at);
-}
-
-// --- Contents of the world ---
-
-void Parser::Shape() {
-    if (auto e = NamedEntity("the shape's name")) builder.Shape(std::move(*e));
-}
-void Parser::LightSource() {
-    if (auto e = NamedEntity("the light's name")) builder.LightSource(std::move(*e));
-}
-void Parser::AreaLightSource() {
-    if (auto e = NamedEntity("the area light's name")) builder.AreaLightSource(std::move(*e));
-}
-void Parser::Material() {
-    if (auto e = NamedEntity("the material's name")) builder.Material(std::move(*e));
-}
-
-void Parser::MakeNamedMaterial() {
-    const std::optional<std::string> name = Name("the material's name");
-    if (!name) return;
-    Entity e = EntityOfType("");
-    const auto type = std::find_if(e.params.rbegin(), e.params.rend(), [](const auto &p) {
-        return p.name == "type" && p.type == "string" && p.strings.size() == 1;
-    });
-    if (type == e.params.rend()) {
-        log->Error(at, fmt::format("material \"{}\" lacks its \"string type\"", *name));
-        return builder.RefuseNamedMaterial(*name, at);
-    }
-    e.type = type->strings[0];
-    std::erase_if(e.params, [](const auto &p) { return p.name == "type" && p.type == "string"; });
-    builder.MakeNamedMaterial(*name, std::move(e));
-}
-
-void Parser::NamedMaterial() {
-    if (const auto name = Name("the material's name")) builder.NamedMaterial(*name, at);
-}
-
-void Parser::Texture() {
-    constexpr std::array<std::string_view, 2> kKinds{"float", "spectrum"};
-    const std::optional<std::string> name = Name("the texture's name");
-    const FileLoc loc = lexer->Loc();
-    const std::optional<std::string> kind = name ? Name("\"float\" or \"spectrum\"") : std::nullopt;
-    if (!kind) return;
-    const bool known = *kind == kKinds[0] || *kind == kKinds[1];
-    if (!known)
-        Error(loc, fmt::format("\"{}\" is not one of {}{}", *kind, QuotedList(kKinds),
-                               *kind == "color" ? "; pbrt-v4 calls it \"spectrum\""
-                                                : DidYouMean(*kind, kKinds)));
-    std::optional<Entity> e = NamedEntity("the texture's class");
-    if (e && known) builder.Texture(*name, *kind == kKinds[0], std::move(*e));
-}
-
-// --- Media, which this renderer has not ---
-
-void Parser::MakeNamedMedium() {
-    if (const auto name = Name("the medium's name")) EntityOfType(*name);
-    log->Error(at, "participating media are not supported");
-}
-
-void Parser::MediumInterface() {
-    bool vacuum = true;
-    for (int i = 0; i < 2; ++i) {
-        if (i == 1 && lexer->Peek().kind != TokenKind::String) break;
-        const std::optional<std::string> name = Name("the medium's name");
-        if (!name) return;
-        vacuum = vacuum && name->empty();
-    }
-    if (!vacuum) log->Error(at, "participating media are not supported");
-}
-
-// --- Other files ---
-
-void Parser::Include() {
-    const FileLoc use = lexer->Loc();
-    if (const auto name = Name("the file's name")) ReadNested(*name, use);
-}
-
-void Parser::Import() {
-    const FileLoc use = lexer->Loc();
-    const std::optional<std::string> name = Name("the file's name");
-    if (!name) return;
-    builder.BeginImport();
-    ReadNested(*name, use);
-    builder.EndImport();
 }
 
 }  // namespace pbrt

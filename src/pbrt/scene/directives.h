@@ -4,9 +4,9 @@
 #include <span>
 #include <string_view>
 
-namespace pbrt {
+#include "pbrt/scene/directive_context.h"
 
-class Parser;
+namespace pbrt {
 
 /// Where a directive may stand.
 enum class Where : uint8_t { Anywhere, BeforeWorld, InWorld };
@@ -14,7 +14,8 @@ enum class Where : uint8_t { Anywhere, BeforeWorld, InWorld };
 struct Directive {
     std::string_view name;
     Where where;
-    void (Parser::*read)();  ///< reads the arguments that follow and hands them to the builder
+    /// Reads the arguments that follow and hands them to the builder.
+    void (*read)(DirectiveContext &context);
 };
 
 /// nullptr where there is no such directive.

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "pbrt/util/parse_number.h"
+
 namespace pbrt {
 namespace {
 
@@ -41,12 +43,11 @@ std::optional<double> Wide(std::string_view text) {
 
 std::optional<float> ParseFloat(std::string_view text) {
     const char *first = text.data(), *last = first + text.size();
-    float value;
+    float value = 0;
     if (ParseShortDecimal(first, last, &value) == last) return value;
     const char *digit = first != last && *first == '-' ? first + 1 : first;
     if (digit != last && (IsDigit(*digit) || *digit == '.')) {
-        const auto [stop, error] = std::from_chars(first, last, value);
-        if (stop == last && error == std::errc()) return value;
+        if (const std::optional<float> whole = ParseWhole<float>(text)) return whole;
     }
     const std::optional<double> wide = Wide(text);  // "+1", hexadecimal, out of float's range
     if (!wide || std::abs(*wide) > std::numeric_limits<float>::max()) return {};
@@ -58,10 +59,7 @@ std::optional<int> ParseInt(std::string_view text) {
         text.remove_prefix(1);
         if (text.starts_with('-')) return {};
     }
-    int value;
-    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (stop != text.data() + text.size() || error != std::errc()) return {};
-    return value;
+    return ParseWhole<int>(text);
 }
 
 std::string WhyNotFloat(std::string_view text) {

@@ -1,22 +1,45 @@
-// `Option "name" value` (PBRT_FORMAT 1.4).
+#include "pbrt/scene/option_directive.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 
 #include "pbrt/scene/number.h"
-#include "pbrt/scene/parser.h"
 
 namespace pbrt {
 namespace {
 
-constexpr std::array<std::string_view, 11> kNames{
-    "disablepixeljitter", "disablewavelengthjitter", "disabletexturefiltering", "forcediffuse",
-    "seed", "rendercoordsys", "msereferenceimage", "msereferenceout",
-    // Known to pbrt-v4, without a meaning here:
-    "displacementedgescale", "pixelstats", "wavefront"};
 constexpr std::array<std::string_view, 3> kCoordSys{"camera", "cameraworld", "world"};
+constexpr BoolParam kDisablePixelJitter{"disablepixeljitter", false,
+                                        "samples in the pixels' centres only"};
+constexpr BoolParam kDisableWavelengthJitter{"disablewavelengthjitter", false,
+                                             "the same wavelengths for every path"};
+constexpr BoolParam kDisableTextureFiltering{"disabletexturefiltering", false,
+                                             "point-sampled textures"};
+constexpr BoolParam kForceDiffuse{
+    "forcediffuse", false, "every surface is matt and reflects as much as its material does"};
+constexpr IntParam kSeed{"seed", 0, kLeastInt, kMostInt, "of the samplers' random numbers"};
+constexpr ChoiceParam kRenderCoordSys{"rendercoordsys", kCoordSys[1], kCoordSys,
+                                      "the space to render in"};
+constexpr StringParam kMseReferenceImage{"msereferenceimage", "",
+                                         "picture without noise, to tell the error of this one"};
+constexpr StringParam kMseReferenceOut{
+    "msereferenceout", "", "file for lines \"spp, mean squared error\" at 1, 2, 4, ... samples"};
+constexpr std::array<ParamRow, 8> kRows{
+    kDisablePixelJitter, kDisableWavelengthJitter, kDisableTextureFiltering, kForceDiffuse, kSeed,
+    kRenderCoordSys,     kMseReferenceImage,       kMseReferenceOut};
+/// Known to pbrt-v4, without a meaning here.
+constexpr std::array<std::string_view, 3> kIgnored{"displacementedgescale", "pixelstats",
+                                                   "wavefront"};
+constexpr auto kNames = [] {
+    std::array<std::string_view, kRows.size() + kIgnored.size()> names;
+    for (size_t i = 0; i < kRows.size(); ++i)
+        names[i] = std::visit([](const auto &row) { return row.name; }, kRows[i]);
+    std::copy(kIgnored.begin(), kIgnored.end(), names.begin() + kRows.size());
+    return names;
+}();
 
 /// Letters' case, "-" and "_" do not count.
 std::string Normalised(std::string_view name) {
@@ -26,80 +49,85 @@ std::string Normalised(std::string_view name) {
     return plain;
 }
 
+void SkipValue(DirectiveContext &c) {
+    const Token &t = c.arguments.Peek();
+    const bool word = t.kind == TokenKind::Word && !c.arguments.IsDirective(t);
+    if (word || t.kind == TokenKind::String) return c.arguments.Advance();
+    c.arguments.Resynchronise();
+}
+
+void ReadFlag(DirectiveContext &c, bool *flag) {
+    const Token &t = c.arguments.Peek();
+    if (t.kind == TokenKind::Word && (t.text == "true" || t.text == "false"))
+        *flag = t.text == "true";
+    else
+        c.arguments.Expected("true or false without quotes");
+    SkipValue(c);
+}
+
+void ReadInt(DirectiveContext &c, int *value) {
+    const Token &t = c.arguments.Peek();
+    const std::optional<int> number = t.kind == TokenKind::Word ? ParseInt(t.text) : std::nullopt;
+    if (number)
+        *value = *number;
+    else
+        c.arguments.Expected("an integer");
+    SkipValue(c);
+}
+
+void ReadString(DirectiveContext &c, std::string *value) {
+    const Token &t = c.arguments.Peek();
+    if (t.kind == TokenKind::String)
+        *value = t.text;
+    else
+        c.arguments.Expected("a quoted string");
+    SkipValue(c);
+}
+
+void ReadCoordSys(DirectiveContext &c) {
+    const FileLoc loc = c.arguments.Loc();
+    std::string value = c.scene->options.renderCoordSys;
+    ReadString(c, &value);
+    if (std::find(kCoordSys.begin(), kCoordSys.end(), value) == kCoordSys.end())
+        return c.arguments.Error(
+            loc, fmt::format("\"{}\" is not one of {}{}", value, QuotedList(kCoordSys),
+                             DidYouMean(value, kCoordSys)));
+    c.scene->options.renderCoordSys = value;
+}
+
 }  // namespace
 
 std::span<const std::string_view> OptionNames() {
     return kNames;
 }
 
-void Parser::Option() {
-    const FileLoc loc = lexer->Loc();
-    const std::optional<std::string> given = Name("the option's name");
+std::span<const ParamRow> OptionRows() {
+    return kRows;
+}
+
+void ReadOption(DirectiveContext &c) {
+    const FileLoc loc = c.arguments.Loc();
+    const std::optional<std::string> given = c.arguments.Name("the option's name");
     if (!given) return;
     const std::string name = Normalised(*given);
-    Options &o = scene->options;
-    if (name == "disablepixeljitter") return OptionFlag(&o.disablePixelJitter);
-    if (name == "disablewavelengthjitter") return OptionFlag(&o.disableWavelengthJitter);
-    if (name == "disabletexturefiltering") return OptionFlag(&o.disableTextureFiltering);
-    if (name == "forcediffuse") return OptionFlag(&o.forceDiffuse);
-    if (name == "seed") return OptionInt(&o.seed);
-    if (name == "msereferenceimage") return OptionString(&o.mseReferenceImage);
-    if (name == "msereferenceout") return OptionString(&o.mseReferenceOut);
-    if (name == "rendercoordsys") return OptionCoordSys();
+    Options &o = c.scene->options;
+    if (name == kDisablePixelJitter.name) return ReadFlag(c, &o.disablePixelJitter);
+    if (name == kDisableWavelengthJitter.name) return ReadFlag(c, &o.disableWavelengthJitter);
+    if (name == kDisableTextureFiltering.name) return ReadFlag(c, &o.disableTextureFiltering);
+    if (name == kForceDiffuse.name) return ReadFlag(c, &o.forceDiffuse);
+    if (name == kSeed.name) return ReadInt(c, &o.seed);
+    if (name == kMseReferenceImage.name) return ReadString(c, &o.mseReferenceImage);
+    if (name == kMseReferenceOut.name) return ReadString(c, &o.mseReferenceOut);
+    if (name == kRenderCoordSys.name) return ReadCoordSys(c);
     if (std::find(kNames.begin(), kNames.end(), name) == kNames.end()) {
         const bool typed = given->find(' ') != given->npos;
-        Error(loc, fmt::format("unknown option \"{}\"{}", *given,
-                               typed ? std::string("; write its name without a type")
-                                     : DidYouMean(name, kNames)));
-        return SkipOptionValue();
+        c.arguments.Error(loc, fmt::format("unknown option \"{}\"{}", *given,
+                                           typed ? std::string("; write its name without a type")
+                                                 : DidYouMean(name, kNames)));
+        return SkipValue(c);
     }
-    log->Warning(loc, fmt::format("Option: \"{}\" has no effect in this renderer", *given));
-    SkipOptionValue();
-}
-
-void Parser::SkipOptionValue() {
-    const Token &t = lexer->Peek();
-    const bool word = t.kind == TokenKind::Word && !FindDirective(t.text);
-    if (word || t.kind == TokenKind::String) return lexer->Advance();
-    Resynchronise();
-}
-
-void Parser::OptionFlag(bool *flag) {
-    const Token &t = lexer->Peek();
-    if (t.kind == TokenKind::Word && (t.text == "true" || t.text == "false"))
-        *flag = t.text == "true";
-    else
-        Expected("true or false without quotes");
-    SkipOptionValue();
-}
-
-void Parser::OptionInt(int *value) {
-    const Token &t = lexer->Peek();
-    const std::optional<int> number = t.kind == TokenKind::Word ? ParseInt(t.text) : std::nullopt;
-    if (number)
-        *value = *number;
-    else
-        Expected("an integer");
-    SkipOptionValue();
-}
-
-void Parser::OptionString(std::string *value) {
-    const Token &t = lexer->Peek();
-    if (t.kind == TokenKind::String)
-        *value = t.text;
-    else
-        Expected("a quoted string");
-    SkipOptionValue();
-}
-
-void Parser::OptionCoordSys() {
-    const FileLoc loc = lexer->Loc();
-    std::string value = scene->options.renderCoordSys;
-    OptionString(&value);
-    if (std::find(kCoordSys.begin(), kCoordSys.end(), value) == kCoordSys.end())
-        return Error(loc, fmt::format("\"{}\" is not one of {}{}", value, QuotedList(kCoordSys),
-                                      DidYouMean(value, kCoordSys)));
-    scene->options.renderCoordSys = value;
+    c.log->Warning(loc, fmt::format("Option: \"{}\" has no effect in this renderer", *given));
+    SkipValue(c);
 }
 
 }  // namespace pbrt

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,20 +15,32 @@ namespace pbrt {
 // and the tests' corner cases. Texts must outlive the program's use of them: literals.
 //   name  as in the scene file       unit  of the values; empty: none, or the scene's own
 //   def   what counts where the parameter is not given
-//   lo, hi  legal range, both ends included; +-Infinity: open
+//   lo, hi  legal range, both ends included; +-kOpen or an integer's limits: open
 //   doc   what it means, a phrase without a full stop
+
+/// An end of a range that is none.
+inline constexpr float kOpen = std::numeric_limits<float>::infinity();
+/// Lower end of a range that leaves out 0: the least float above it. Shown as `> 0` or `(0, hi]`.
+inline constexpr float kAboveZero = std::numeric_limits<float>::denorm_min();
+/// Ends of an integer's range that are none.
+inline constexpr int kLeastInt = std::numeric_limits<int>::min();
+inline constexpr int kMostInt = std::numeric_limits<int>::max();
 
 /// `float`; where Create asks for a texture, that may be given instead.
 struct FloatParam {
     std::string_view name, unit;
     float def, lo, hi;
     std::string_view doc;
+
+    constexpr bool Legal(float value) const { return lo <= value && value <= hi; }
 };
 /// `integer`.
 struct IntParam {
     std::string_view name;
     int def, lo, hi;
     std::string_view doc;
+
+    constexpr bool Legal(int value) const { return lo <= value && value <= hi; }
 };
 /// `bool`.
 struct BoolParam {
@@ -52,19 +66,28 @@ enum class SpectrumType { Albedo, Unbounded, Illuminant };
 struct SpectrumParam {
     std::string_view name;
     SpectrumType role;
-    std::string_view def;  ///< in words, as "the copper of metal-Cu"; Create has the value
+    std::string_view def;  ///< a number, a built-in spectrum's name, or words where Create knows it
+    std::string_view doc;
+    float lo = 0;  ///< of the values at each wavelength; RGB is checked by role, others by Create
+    float hi = role == SpectrumType::Albedo ? 1 : kOpen;
+};
+/// One point or vector.
+struct PointParam {
+    std::string_view name;
+    std::string_view type;  ///< "point3" or "vector3"
+    std::array<float, 3> def;
     std::string_view doc;
 };
-/// Points, vectors, normals, and lists of any type.
+/// Lists; nothing is in them where they are not given.
 struct ArrayParam {
     std::string_view name;
     std::string_view type;  ///< of the scene language: "point3", "integer", ...
-    std::string_view def;   ///< in words or numbers; Create has the value
+    std::string_view def;   ///< what is done without the list, in words
     std::string_view doc;
 };
 
 using ParamRow = std::variant<FloatParam, IntParam, BoolParam, StringParam, ChoiceParam,
-                              SpectrumParam, ArrayParam>;
+                              SpectrumParam, PointParam, ArrayParam>;
 
 /// What a plug-in asked for.
 struct RequestedParam {
@@ -73,11 +96,20 @@ struct RequestedParam {
 };
 
 std::string_view NameOf(const ParamRow &row);
-/// The types that a scene may write, "texture" included, as "float or texture".
+/// The types of the scene language that a value may have, without "texture". Points into the row
+/// where that is one of points or lists.
+std::span<const std::string_view> TypesOf(const ParamRow &row);
+/// The same with "texture" for readers, as "float or texture".
 std::string TypesOf(const RequestedParam &param);
-/// Default, range with unit, and meaning, each as the manual shows it; empty where there is none.
+std::string_view UnitOf(const ParamRow &row);
+/// Default and range, each as the manual shows it; empty where there is none.
 std::string DefaultOf(const ParamRow &row);
 std::string RangeOf(const ParamRow &row);
 std::string_view DocOf(const ParamRow &row);
+
+/// Why the row does not allow the value, naming its range: "7 is outside [0, 1] nm". Empty where it
+/// does.
+std::string WhyIllegal(float value, const FloatParam &row);
+std::string WhyIllegal(int value, const IntParam &row);
 
 }  // namespace pbrt

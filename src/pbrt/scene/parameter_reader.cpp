@@ -4,26 +4,16 @@
 
 #include <iterator>
 
-#include "pbrt/scene/directives.h"
 #include "pbrt/scene/number.h"
 
 namespace pbrt {
 namespace {
-
-bool IsDirective(const Token &t) {
-    return t.kind == TokenKind::Word && FindDirective(t.text) != nullptr;
-}
 
 /// A string that can only be the next parameter's declaration.
 bool IsDeclaration(const Token &t) {
     if (t.kind != TokenKind::String) return false;
     const Declaration d = SplitDeclaration(t.text);
     return !d.name.empty() && FindParamType(d.type);
-}
-
-/// True where the token cannot be part of the parameter before it.
-bool EndsParameter(const Token &t) {
-    return t.kind == TokenKind::End || IsDirective(t) || IsDeclaration(t);
 }
 
 bool IsTrueOrFalse(std::string_view text) {
@@ -36,6 +26,10 @@ bool IsLooseValue(const Token &t) {
 }
 
 }  // namespace
+
+bool ParameterReader::EndsParameter(const Token &t) const {
+    return t.kind == TokenKind::End || IsDirective(t) || IsDeclaration(t);
+}
 
 ParsedParameters ParameterReader::Read(Lexer &lexer, const RGBColorSpace *colorSpace) {
     parameters.clear();

@@ -6,10 +6,15 @@
 
 namespace pbrt {
 
+/// Tells whether a word is a directive's name.
+using IsDirectiveName = bool (*)(std::string_view word);
+
 /// Reads parameter lists: `"type name" value` or `"type name" [ values ]`, repeated.
 class ParameterReader {
   public:
-    explicit ParameterReader(Diagnostics *log) : log(log) {}
+    /// A directive's name ends a list.
+    ParameterReader(IsDirectiveName isDirective, Diagnostics *log)
+        : isDirective(isDirective), log(log) {}
 
     /// The list that starts at the lexer's token; stops at the first token that cannot belong to
     /// it. Every mistake is reported; the parameter then has no values, which the getters of
@@ -41,10 +46,16 @@ class ParameterReader {
     /// Past the values of a parameter that cannot be read; nothing is reported.
     void SkipValues(Lexer &lexer);
     void SkipList(Lexer &lexer);
+    bool IsDirective(const Token &t) const {
+        return t.kind == TokenKind::Word && isDirective(t.text);
+    }
+    /// True where the token cannot be part of the parameter before it.
+    bool EndsParameter(const Token &t) const;
     /// An error about the parameter being read; returns false.
     bool Fail(const FileLoc &loc, std::string_view message);
     bool Expected(Lexer &lexer, std::string_view what);
 
+    IsDirectiveName isDirective;
     Diagnostics *log;
     std::string_view declaration;  ///< of the parameter being read, as written
     bool inList = false;

@@ -3,22 +3,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
+#include <array>
 
-#include "pbrt/scene/param_types.h"
 #include "pbrt/scene/scene_file.h"
+#include "pbrt/util/check.h"
 
 namespace pbrt {
 namespace {
+
+constexpr std::array<std::string_view, 1> kTexture{"texture"};
 
 size_t TokenCount(const ParsedParameter &p) {
     return p.floats.size() + p.ints.size() + p.strings.size() + p.bools.size();
 }
 
-/// Text that outlives the dictionary; types come from a fixed list.
-std::string_view InternedType(std::string_view type) {
-    const ParamType *const known = FindParamType(type);
-    return known ? known->name : std::string_view();
+/// True if both rows ask for values of the same types.
+bool HaveSameTypes(const ParamRow &a, const ParamRow &b) {
+    return a.index() == b.index() && TypesOf(a).front() == TypesOf(b).front();
 }
 
 }  // namespace
@@ -32,8 +33,8 @@ ParamDict::ParamDict(const ParsedParameters &params, FileLoc directive, std::str
       colorSpace(colorSpace),
       diagnostics(diagnostics),
       dir(std::move(dir)) {
-    constexpr size_t kMostPlugIns = 16;  // ask for fewer names
-    asked.reserve(kMostPlugIns);
+    constexpr size_t kMostPlugIns = 12;  // ask for fewer
+    requested.reserve(kMostPlugIns);
 }
 
 ParamDict::ParamDict(ParsedParameters &&given, FileLoc directive, std::string what,
@@ -60,24 +61,30 @@ std::optional<size_t> ParamDict::FindLast(std::string_view name, Types types) co
     return {};
 }
 
-void ParamDict::NoteRequest(std::string_view name, std::string_view type) {
-    for (const Request &a : asked)
-        if (a.name == name && a.type == type) return;
-    asked.push_back({std::string(name), InternedType(type)});
+void ParamDict::NoteRequest(const ParamRow &row, bool texture) {
+    const std::string_view name = NameOf(row);
+    auto place = requested.end();
+    for (auto known = requested.begin(); known != requested.end(); ++known) {
+        if (NameOf(known->row) != name) continue;
+        if (HaveSameTypes(known->row, row)) {
+            known->texture |= texture;
+            return;
+        }
+        place = known + 1;
+    }
+    requested.insert(place, {row, texture});
 }
 
-const ParsedParameter *ParamDict::Find(std::string_view name, Types types) {
-    for (const std::string_view type : types)
-        NoteRequest(name, type);
-    const std::optional<size_t> winner = FindLast(name, types);
+const ParsedParameter *ParamDict::Find(const ParamRow &row) {
+    NoteRequest(row);
+    const std::optional<size_t> winner = FindLast(NameOf(row), TypesOf(row));
     if (!winner) return nullptr;
     used[*winner] = true;
     return &params[*winner];
 }
 
-const ParsedParameter *ParamDict::FindOne(std::string_view name, std::string_view type,
-                                          size_t items) {
-    const ParsedParameter *const p = Find(name, {type});
+const ParsedParameter *ParamDict::FindOne(const ParamRow &row, size_t items) {
+    const ParsedParameter *const p = Find(row);
     return p && CountIs(*p, items) ? p : nullptr;
 }
 
@@ -89,18 +96,22 @@ bool ParamDict::CountIs(const ParsedParameter &p, size_t items) {
     return count == items;
 }
 
-const std::vector<float> *ParamDict::FindGroups(std::string_view name, std::string_view type,
-                                                size_t items) {
-    const ParsedParameter *const p = Find(name, {type});
+const std::vector<float> *ParamDict::FindGroups(const ArrayParam &row, size_t items) {
+    const ParsedParameter *const p = Find(row);
     if (!p) return nullptr;
     if (p->floats.size() % items != 0)
         ValueError(*p, fmt::format("{} numbers are not a multiple of {}", p->floats.size(), items));
     return &p->floats;
 }
 
-bool ParamDict::Has(std::string_view name, std::string_view type) {
-    NoteRequest(name, type);
-    return (type.empty() ? FindLast(name, {}) : FindLast(name, {type})).has_value();
+bool ParamDict::Has(const ParamRow &row) {
+    NoteRequest(row);
+    return FindLast(NameOf(row), TypesOf(row)).has_value();
+}
+
+bool ParamDict::HasOrTexture(const ParamRow &row) {
+    NoteRequest(row, true);
+    return FindLast(NameOf(row), kTexture) || FindLast(NameOf(row), TypesOf(row));
 }
 
 FileLoc ParamDict::Loc(std::string_view name) const {
@@ -110,102 +121,81 @@ FileLoc ParamDict::Loc(std::string_view name) const {
 
 // --- Single values ---
 
-template <typename Number>
-bool ParamDict::InRange(const ParsedParameter &p, Number value, Number lo, Number hi,
-                        std::string_view unit) {
-    if (value >= lo && value <= hi) return true;
-    using Limits = std::numeric_limits<Number>;
-    const auto isOpen = [](Number bound) {
-        return bound <= Limits::lowest() || bound >= Limits::max();
-    };
-    std::string text = isOpen(hi)   ? fmt::format("{} is less than {}", value, lo)
-                       : isOpen(lo) ? fmt::format("{} is more than {}", value, hi)
-                                    : fmt::format("{} is outside [{}, {}]", value, lo, hi);
-    if (!unit.empty()) text += fmt::format(" {}", unit);
-    ValueError(p, text);
+bool ParamDict::Allow(const ParsedParameter &p, const std::string &whyIllegal) {
+    if (whyIllegal.empty()) return true;
+    ValueError(p, whyIllegal);
     return false;
 }
 
-float ParamDict::GetOneFloat(std::string_view name, float def) {
-    const ParsedParameter *const p = FindOne(name, "float", 1);
-    return p ? p->floats[0] : def;
-}
-
 float ParamDict::GetOneFloat(const FloatParam &row) {
-    const ParsedParameter *const p = FindOne(row.name, "float", 1);
-    return p && InRange(*p, p->floats[0], row.lo, row.hi, row.unit) ? p->floats[0] : row.def;
+    const ParsedParameter *const p = FindOne(row, 1);
+    return p && Allow(*p, WhyIllegal(p->floats[0], row)) ? p->floats[0] : row.def;
 }
 
-int ParamDict::GetOneInt(std::string_view name, int def) {
-    const ParsedParameter *const p = FindOne(name, "integer", 1);
-    return p ? p->ints[0] : def;
+int ParamDict::GetOneInt(const IntParam &row) {
+    const ParsedParameter *const p = FindOne(row, 1);
+    return p && Allow(*p, WhyIllegal(p->ints[0], row)) ? p->ints[0] : row.def;
 }
 
-int ParamDict::GetOneInt(std::string_view name, int def, int lo, int hi) {
-    const ParsedParameter *const p = FindOne(name, "integer", 1);
-    return p && InRange(*p, p->ints[0], lo, hi, "") ? p->ints[0] : def;
+bool ParamDict::GetOneBool(const BoolParam &row) {
+    const ParsedParameter *const p = FindOne(row, 1);
+    return p ? p->bools[0] != 0 : row.def;
 }
 
-bool ParamDict::GetOneBool(std::string_view name, bool def) {
-    const ParsedParameter *const p = FindOne(name, "bool", 1);
-    return p ? p->bools[0] != 0 : def;
+std::string ParamDict::GetOneString(const StringParam &row) {
+    const ParsedParameter *const p = FindOne(row, 1);
+    return p ? p->strings[0] : std::string(row.def);
 }
 
-std::string ParamDict::GetOneString(std::string_view name, std::string_view def) {
-    const ParsedParameter *const p = FindOne(name, "string", 1);
-    return p ? p->strings[0] : std::string(def);
-}
-
-int ParamDict::GetOneChoice(std::string_view name, std::string_view def,
-                            std::span<const std::string_view> allowed) {
+int ParamDict::GetOneChoice(const ChoiceParam &row) {
     const auto index = [&](std::string_view value) {
-        return int(std::find(allowed.begin(), allowed.end(), value) - allowed.begin());
+        return int(std::find(row.allowed.begin(), row.allowed.end(), value) - row.allowed.begin());
     };
-    const ParsedParameter *const p = FindOne(name, "string", 1);
-    if (!p) return index(def);
+    const ParsedParameter *const p = FindOne(row, 1);
+    if (!p) return index(row.def);
     const int choice = index(p->strings[0]);
-    if (choice < int(allowed.size())) return choice;
-    ValueError(*p, fmt::format("\"{}\" is not one of {}{}", p->strings[0], QuotedList(allowed),
-                               DidYouMean(p->strings[0], allowed)));
-    return index(def);
+    if (choice < int(row.allowed.size())) return choice;
+    ValueError(*p, fmt::format("\"{}\" is not one of {}{}", p->strings[0], QuotedList(row.allowed),
+                               DidYouMean(p->strings[0], row.allowed)));
+    return index(row.def);
 }
 
-Point2f ParamDict::GetOnePoint2f(std::string_view name, Point2f def) {
-    const ParsedParameter *const p = FindOne(name, "point2", 2);
-    return p ? Point2f{p->floats[0], p->floats[1]} : def;
+Point3f ParamDict::GetOnePoint3f(const PointParam &row) {
+    DCHECK(row.type == "point3");
+    const ParsedParameter *const p = FindOne(row, 3);
+    return p ? Point3f{p->floats[0], p->floats[1], p->floats[2]}
+             : Point3f{row.def[0], row.def[1], row.def[2]};
 }
 
-Point3f ParamDict::GetOnePoint3f(std::string_view name, Point3f def) {
-    const ParsedParameter *const p = FindOne(name, "point3", 3);
-    return p ? Point3f{p->floats[0], p->floats[1], p->floats[2]} : def;
+Vector3f ParamDict::GetOneVector3f(const PointParam &row) {
+    DCHECK(row.type == "vector3");
+    const ParsedParameter *const p = FindOne(row, 3);
+    return p ? Vector3f{p->floats[0], p->floats[1], p->floats[2]}
+             : Vector3f{row.def[0], row.def[1], row.def[2]};
 }
 
-Vector3f ParamDict::GetOneVector3f(std::string_view name, Vector3f def) {
-    const ParsedParameter *const p = FindOne(name, "vector3", 3);
-    return p ? Vector3f{p->floats[0], p->floats[1], p->floats[2]} : def;
-}
-
-std::optional<RGB> ParamDict::GetOneRGB(std::string_view name) {
-    const ParsedParameter *const p = Find(name, {"rgb"});
-    return p ? CheckedRGB(*p, Infinity) : std::nullopt;
+std::optional<RGB> ParamDict::GetOneRGB(const SpectrumParam &row) {
+    const ParsedParameter *const p = Find(row);
+    return p && p->type == "rgb" ? CheckedRGB(*p, Infinity) : std::nullopt;
 }
 
 std::optional<RGB> ParamDict::CheckedRGB(const ParsedParameter &p, float most) {
     if (!CountIs(p, 3)) return {};
     for (const float component : p.floats)
-        if (!InRange(p, component, 0.f, most, "")) return {};
+        if (!Allow(p, WhyIllegal(component, {"", "", 0, 0, most, ""}))) return {};
     return RGB{p.floats[0], p.floats[1], p.floats[2]};
 }
 
-std::string ParamDict::GetFileName(std::string_view name, std::string_view def) {
-    const std::string given = GetOneString(name, def);
+std::string ParamDict::GetFileName(const StringParam &row) {
+    const std::string given = GetOneString(row);
     return given.empty() ? given : ResolvePath(given, dir);
 }
 
-std::optional<std::string> ParamDict::GetTexture(std::string_view name) {
-    NoteRequest(name, "texture");
-    const std::optional<size_t> i =
-        FindLast(name, {"texture", "float", "rgb", "spectrum", "blackbody"});
+std::optional<std::string> ParamDict::GetTexture(const ParamRow &row) {
+    static constexpr std::array<std::string_view, 5> kRivals{"texture", "float", "rgb", "spectrum",
+                                                             "blackbody"};
+    NoteRequest(row, true);
+    const std::optional<size_t> i = FindLast(NameOf(row), kRivals);
     if (!i || params[*i].type != "texture") return {};
     used[*i] = true;
     if (!CountIs(params[*i], 1)) return {};
@@ -214,24 +204,28 @@ std::optional<std::string> ParamDict::GetTexture(std::string_view name) {
 
 // --- Arrays ---
 
-std::vector<float> ParamDict::GetFloatArray(std::string_view name) {
-    const ParsedParameter *const p = Find(name, {"float"});
+std::vector<float> ParamDict::GetFloatArray(const ArrayParam &row) {
+    DCHECK(row.type == "float");
+    const ParsedParameter *const p = Find(row);
     return p ? p->floats : std::vector<float>();
 }
 
-std::vector<int> ParamDict::GetIntArray(std::string_view name) {
-    const ParsedParameter *const p = Find(name, {"integer"});
+std::vector<int> ParamDict::GetIntArray(const ArrayParam &row) {
+    DCHECK(row.type == "integer");
+    const ParsedParameter *const p = Find(row);
     return p ? p->ints : std::vector<int>();
 }
 
-std::vector<std::string> ParamDict::GetStringArray(std::string_view name) {
-    const ParsedParameter *const p = Find(name, {"string"});
+std::vector<std::string> ParamDict::GetStringArray(const ArrayParam &row) {
+    DCHECK(row.type == "string");
+    const ParsedParameter *const p = Find(row);
     return p ? p->strings : std::vector<std::string>();
 }
 
-std::vector<Point2f> ParamDict::GetPoint2fArray(std::string_view name) {
+std::vector<Point2f> ParamDict::GetPoint2fArray(const ArrayParam &row) {
+    DCHECK(row.type == "point2");
     std::vector<Point2f> points;
-    const std::vector<float> *const v = FindGroups(name, "point2", 2);
+    const std::vector<float> *const v = FindGroups(row, 2);
     if (!v) return points;
     points.reserve(v->size() / 2);
     for (size_t i = 0; i + 2 <= v->size(); i += 2)
@@ -240,9 +234,9 @@ std::vector<Point2f> ParamDict::GetPoint2fArray(std::string_view name) {
 }
 
 template <typename Value>
-std::vector<Value> ParamDict::Triples(std::string_view name, std::string_view type) {
+std::vector<Value> ParamDict::Triples(const ArrayParam &row) {
     std::vector<Value> values;
-    const std::vector<float> *const v = FindGroups(name, type, 3);
+    const std::vector<float> *const v = FindGroups(row, 3);
     if (!v) return values;
     values.reserve(v->size() / 3);
     for (size_t i = 0; i + 3 <= v->size(); i += 3)
@@ -250,16 +244,19 @@ std::vector<Value> ParamDict::Triples(std::string_view name, std::string_view ty
     return values;
 }
 
-std::vector<Point3f> ParamDict::GetPoint3fArray(std::string_view name) {
-    return Triples<Point3f>(name, "point3");
+std::vector<Point3f> ParamDict::GetPoint3fArray(const ArrayParam &row) {
+    DCHECK(row.type == "point3");
+    return Triples<Point3f>(row);
 }
 
-std::vector<Vector3f> ParamDict::GetVector3fArray(std::string_view name) {
-    return Triples<Vector3f>(name, "vector3");
+std::vector<Vector3f> ParamDict::GetVector3fArray(const ArrayParam &row) {
+    DCHECK(row.type == "vector3");
+    return Triples<Vector3f>(row);
 }
 
-std::vector<Normal3f> ParamDict::GetNormalArray(std::string_view name) {
-    return Triples<Normal3f>(name, "normal");
+std::vector<Normal3f> ParamDict::GetNormalArray(const ArrayParam &row) {
+    DCHECK(row.type == "normal");
+    return Triples<Normal3f>(row);
 }
 
 }  // namespace pbrt

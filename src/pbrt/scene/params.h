@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <span>
@@ -9,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "pbrt/scene/param_row.h"
 #include "pbrt/spectra/color.h"
 #include "pbrt/spectra/spectrum.h"
 #include "pbrt/util/diagnostics.h"
@@ -33,22 +33,11 @@ struct ParsedParameter {
 
 using ParsedParameters = std::vector<ParsedParameter>;
 
-/// How an RGB colour becomes a spectrum.
-enum class SpectrumType { Albedo, Unbounded, Illuminant };
-
-/// A number's name, unit, default, range and meaning: one row of a plug-in's table. The same rows
-/// feed parsing, range errors, the manual (--help-plugin) and the tests' corner cases.
-struct FloatParam {
-    std::string_view name, unit;
-    float def, lo, hi;
-    std::string_view doc;
-};
-
-/// The parameters of one directive, read by name. Name and type must match exactly; of several the
-/// last of the directive's own counts, else the last inherited. Every getter notes the name it was
-/// asked for, so ReportUnused can name what was not read, list what is allowed and suggest the
-/// nearest. A value that is wrong (count, range) is reported to the diagnostics and the default
-/// returned.
+/// The parameters of one directive, read by rows. Name and type must match exactly; of several the
+/// last of the directive's own counts, else the last inherited. Every getter notes the row it was
+/// asked for: so ReportUnused can name what was not read, list what is allowed and suggest the
+/// nearest, and Requested() is the plug-in's table. A value that is wrong (count, range) is
+/// reported to the diagnostics and the default returned.
 class ParamDict {
   public:
     /// `what` says whose parameters these are, e.g. `material "diffuse"`. `params`: the directive's
@@ -60,45 +49,45 @@ class ParamDict {
     ParamDict(ParsedParameters &&params, FileLoc directive, std::string what,
               const RGBColorSpace *colorSpace, Diagnostics *diagnostics, std::string dir = "");
 
-    float GetOneFloat(std::string_view name, float def);
-    /// Range-checked: outside [row.lo, row.hi] is an error that names value, range and unit.
+    /// Outside [row.lo, row.hi] is an error that names value, range and unit.
     float GetOneFloat(const FloatParam &row);
-    int GetOneInt(std::string_view name, int def);
-    /// Range-checked as above.
-    int GetOneInt(std::string_view name, int def, int lo, int hi);
-    bool GetOneBool(std::string_view name, bool def);
-    std::string GetOneString(std::string_view name, std::string_view def);
+    int GetOneInt(const IntParam &row);
+    bool GetOneBool(const BoolParam &row);
+    std::string GetOneString(const StringParam &row);
     /// One of `allowed`, else an error that lists them; returns its index in `allowed`.
-    int GetOneChoice(std::string_view name, std::string_view def,
-                     std::span<const std::string_view> allowed);
-    Point2f GetOnePoint2f(std::string_view name, Point2f def);
-    Point3f GetOnePoint3f(std::string_view name, Point3f def);
-    Vector3f GetOneVector3f(std::string_view name, Vector3f def);
+    int GetOneChoice(const ChoiceParam &row);
+    Point3f GetOnePoint3f(const PointParam &row);
+    Vector3f GetOneVector3f(const PointParam &row);
     /// From rgb, blackbody or spectrum (inline, named, file); nullopt where not given or wrong.
     /// Of these types the last one written counts. rgb: below 0, or above 1 for Albedo, is an
     /// error. Outside their wavelengths spectra are 0, as in pbrt-v4, but measurements in files:
     /// there albedos and unbounded ones keep the end's value, with one warning a file.
-    std::optional<Spectrum> GetOneSpectrum(std::string_view name, SpectrumType role);
-    /// The RGB itself where the parameter was given as `rgb`.
-    std::optional<RGB> GetOneRGB(std::string_view name);
+    std::optional<Spectrum> GetOneSpectrum(const SpectrumParam &row);
+    /// The RGB itself where what counts of the row was given as `rgb`.
+    std::optional<RGB> GetOneRGB(const SpectrumParam &row);
     /// File name, made relative to the scene's folder where such a file exists; empty if not given.
-    std::string GetFileName(std::string_view name, std::string_view def = "");
+    std::string GetFileName(const StringParam &row);
 
     // Whole arrays; empty where not given or wrong. Points and vectors: count a multiple of theirs.
-    std::vector<float> GetFloatArray(std::string_view name);
-    std::vector<int> GetIntArray(std::string_view name);
-    std::vector<Point2f> GetPoint2fArray(std::string_view name);
-    std::vector<Point3f> GetPoint3fArray(std::string_view name);
-    std::vector<Vector3f> GetVector3fArray(std::string_view name);
-    std::vector<Normal3f> GetNormalArray(std::string_view name);
-    std::vector<std::string> GetStringArray(std::string_view name);
+    // The row's type is the getter's.
+    std::vector<float> GetFloatArray(const ArrayParam &row);
+    std::vector<int> GetIntArray(const ArrayParam &row);
+    std::vector<Point2f> GetPoint2fArray(const ArrayParam &row);
+    std::vector<Point3f> GetPoint3fArray(const ArrayParam &row);
+    std::vector<Vector3f> GetVector3fArray(const ArrayParam &row);
+    std::vector<Normal3f> GetNormalArray(const ArrayParam &row);
+    std::vector<std::string> GetStringArray(const ArrayParam &row);
 
     /// The texture's name where `"texture name"` was given (the caller resolves it) and no later
     /// constant of that name overrides it. Ask for it before the constant.
-    std::optional<std::string> GetTexture(std::string_view name);
-    /// True where a parameter of this name, and of this type unless empty, was given; does not
-    /// count as reading it, but as knowing the name.
-    bool Has(std::string_view name, std::string_view type = "");
+    std::optional<std::string> GetTexture(const ParamRow &row);
+    /// True where a value of the row's types was given; does not count as reading it, but as
+    /// knowing the name. HasOrTexture: where a texture was given, too.
+    bool Has(const ParamRow &row);
+    bool HasOrTexture(const ParamRow &row);
+    /// The rows that were asked for, each once, in that order; those of one name stand together (a
+    /// parameter may be a float or a spectrum).
+    const std::vector<RequestedParam> &Requested() const { return requested; }
 
     /// Place of the named parameter's declaration (the directive's where it was not given).
     FileLoc Loc(std::string_view name) const;
@@ -120,29 +109,22 @@ class ParamDict {
     void ReportUnused();
 
   private:
-    /// Types a name may have, for slots that take several.
-    using Types = std::initializer_list<std::string_view>;
-    struct Request {
-        std::string name;
-        std::string_view type;  ///< empty: any
-    };
+    using Types = std::span<const std::string_view>;
 
-    /// The one of these types that counts, marked as used; nullptr where not given.
-    const ParsedParameter *Find(std::string_view name, Types types);
+    /// The value of the row that counts, marked as used; nullptr where not given.
+    const ParsedParameter *Find(const ParamRow &row);
     /// The same for a single value made of `items` tokens; nullptr also where the count is wrong.
-    const ParsedParameter *FindOne(std::string_view name, std::string_view type, size_t items);
+    const ParsedParameter *FindOne(const ParamRow &row, size_t items);
     /// Index of the parameter that counts among those of these types (any, if none are given).
     std::optional<size_t> FindLast(std::string_view name, Types types) const;
-    void NoteRequest(std::string_view name, std::string_view type);
+    void NoteRequest(const ParamRow &row, bool texture = false);
     bool CountIs(const ParsedParameter &p, size_t count);
     /// The values in groups of `items`, of which a wrong count leaves out the last.
-    const std::vector<float> *FindGroups(std::string_view name, std::string_view type,
-                                         size_t items);
+    const std::vector<float> *FindGroups(const ArrayParam &row, size_t items);
     template <typename Value>
-    std::vector<Value> Triples(std::string_view name, std::string_view type);
-    template <typename Number>
-    bool InRange(const ParsedParameter &p, Number value, Number lo, Number hi,
-                 std::string_view unit);
+    std::vector<Value> Triples(const ArrayParam &row);
+    /// False, with an error, where `whyIllegal` is not empty.
+    bool Allow(const ParsedParameter &p, const std::string &whyIllegal);
     std::optional<RGB> CheckedRGB(const ParsedParameter &p, float most);
     std::optional<Spectrum> FromRGB(const ParsedParameter &p, SpectrumType role);
     std::optional<Spectrum> FromBlackbody(const ParsedParameter &p);
@@ -155,12 +137,16 @@ class ParamDict {
     std::shared_ptr<const ParsedParameters> own;
     std::span<const ParsedParameter> params;
     std::vector<uint8_t> used;
-    std::vector<Request> asked;  ///< in order, each once
+    std::vector<RequestedParam> requested;
     FileLoc directive;
     std::string what;
     const RGBColorSpace *colorSpace;
     Diagnostics *diagnostics;
     std::string dir;
 };
+
+/// What counts where the parameter is not given; only of rows whose `def` is a number or the name
+/// of a built-in spectrum.
+Spectrum DefaultSpectrum(const SpectrumParam &row);
 
 }  // namespace pbrt

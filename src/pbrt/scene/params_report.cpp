@@ -45,24 +45,25 @@ void ParamDict::ReportUnused(const ParsedParameter &p, size_t index) {
             p.loc, fmt::format("\"{}\" has no effect: the later \"{} {}\" counts", given,
                                later.type, later.name));
     }
-    std::vector<std::string> expected;
-    std::vector<std::string_view> known;
-    bool inAnyType = false;
-    for (const Request &a : asked) {
-        if (std::find(known.begin(), known.end(), a.name) == known.end()) known.push_back(a.name);
-        if (a.name != p.name) continue;
-        if (a.type == p.type)
-            return diagnostics->Error(p.loc, fmt::format("\"{}\" has no effect here", given));
-        inAnyType |= a.type.empty();
-        if (!a.type.empty()) expected.push_back(fmt::format("{} {}", a.type, a.name));
+    std::vector<std::string_view> known, expected;
+    for (const RequestedParam &r : requested) {
+        const std::string_view name = NameOf(r.row);
+        if (known.empty() || known.back() != name) known.push_back(name);
+        if (name != p.name) continue;
+        if (r.texture) expected.insert(expected.begin(), "texture");
+        const Types types = TypesOf(r.row);
+        expected.insert(expected.end(), types.begin(), types.end());
     }
-    if (!expected.empty()) {
-        const std::vector<std::string_view> names(expected.begin(), expected.end());
-        return diagnostics->Error(p.loc,
-                                  fmt::format("\"{}\": expected {}", given, QuotedList(names)));
-    }
-    if (inAnyType)
+    if (std::find(expected.begin(), expected.end(), p.type) != expected.end())
         return diagnostics->Error(p.loc, fmt::format("\"{}\" has no effect here", given));
+    if (!expected.empty()) {
+        std::vector<std::string> declarations;
+        for (const std::string_view type : expected)
+            declarations.push_back(fmt::format("{} {}", type, p.name));
+        const std::vector<std::string_view> all(declarations.begin(), declarations.end());
+        return diagnostics->Error(p.loc,
+                                  fmt::format("\"{}\": expected {}", given, QuotedList(all)));
+    }
     const std::string unknown = fmt::format("unknown parameter \"{}\" of {}", given, what);
     if (known.empty()) return diagnostics->Error(p.loc, unknown + ", which takes none");
     const std::string upstream = PbrtHasIt(what, p.name);

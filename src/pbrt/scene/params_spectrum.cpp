@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+
 #include "pbrt/scene/params.h"
 #include "pbrt/scene/scene_file.h"
 #include "pbrt/spectra/spectrum_file.h"
+#include "pbrt/util/check.h"
 
 namespace pbrt {
 namespace {
@@ -17,12 +20,22 @@ bool EndsMatter(const SpectrumPoints &points) {
 
 }  // namespace
 
-std::optional<Spectrum> ParamDict::GetOneSpectrum(std::string_view name, SpectrumType role) {
-    const ParsedParameter *const p = Find(name, {"rgb", "spectrum", "blackbody"});
+Spectrum DefaultSpectrum(const SpectrumParam &row) {
+    float constant = 0;
+    const char *const end = row.def.data() + row.def.size();
+    const auto [stop, error] = std::from_chars(row.def.data(), end, constant);
+    if (error == std::errc() && stop == end) return Spectrum(constant);
+    const Spectrum *const named = GetNamedSpectrum(row.def);
+    DCHECK(named);
+    return *named;
+}
+
+std::optional<Spectrum> ParamDict::GetOneSpectrum(const SpectrumParam &row) {
+    const ParsedParameter *const p = Find(row);
     if (!p) return {};
-    if (p->type == "rgb") return FromRGB(*p, role);
+    if (p->type == "rgb") return FromRGB(*p, row.role);
     if (p->type == "blackbody") return FromBlackbody(*p);
-    if (!p->strings.empty()) return FromNameOrFile(*p, role);
+    if (!p->strings.empty()) return FromNameOrFile(*p, row.role);
     return FromPairs(*p);
 }
 

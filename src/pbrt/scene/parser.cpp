@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cctype>
 #include <filesystem>
 
 #include "pbrt/scene/scene_file.h"
@@ -16,10 +15,6 @@ constexpr int kMostErrors = 200;
 /// that is open takes a piece of the stack.
 constexpr int kMostIncluded = 100000;
 constexpr size_t kMostOpen = 200;
-
-bool IsName(std::string_view word) {
-    return std::isalpha(static_cast<unsigned char>(word[0])) && word != "true" && word != "false";
-}
 
 /// What kind of file this is, where it cannot be a scene; else empty.
 std::string_view NotAScene(std::string_view text) {
@@ -40,7 +35,11 @@ std::string CanonicalPath(const std::string &path) {
 }  // namespace
 
 Parser::Parser(SceneDescription *scene, Diagnostics *log)
-    : scene(scene), log(log), builder(scene, log), parameters(log) {}
+    : scene(scene),
+      log(log),
+      context(
+          scene, [](std::string_view word) { return FindDirective(word) != nullptr; }, log,
+          [this](const std::string &name, const FileLoc &use) { ReadNested(name, use); }) {}
 
 void Parser::ReadFile(const std::string &path) {
     const std::string_view name = scene->fileNames.emplace_back(path == "-" ? "<stdin>" : path);
@@ -63,9 +62,9 @@ void Parser::ReadText(std::string_view text, std::string_view name, std::string_
 }
 
 void Parser::Finish() {
-    if (!builder.InWorld() && allFilesRead)
+    if (!context.builder.InWorld() && allFilesRead)
         log->Error({open[0].shown, 0, 0}, "the scene ends without WorldBegin");
-    builder.Finish();
+    context.builder.Finish();
 }
 
 void Parser::ReadTokens(std::string_view text, std::string_view name) {
@@ -73,39 +72,40 @@ void Parser::ReadTokens(std::string_view text, std::string_view name) {
         allFilesRead = false;
         return log->Error({name, 0, 0}, why);
     }
-    Lexer *const outer = lexer;
-    Lexer own(text, name, log);
-    lexer = &own;
-    while (lexer->Peek().kind != TokenKind::End) {
-        ReadDirective();
+    Lexer *const outer = context.arguments.Source();
+    Lexer lexer(text, name, log);
+    context.arguments.ReadFrom(&lexer);
+    while (lexer.Peek().kind != TokenKind::End) {
+        ReadDirective(lexer);
         if (log->ErrorCount() >= kMostErrors) {
-            log->Error(lexer->Loc(), fmt::format("{} errors; gave up", log->ErrorCount()));
+            log->Error(lexer.Loc(), fmt::format("{} errors; gave up", log->ErrorCount()));
             break;
         }
     }
-    lexer = outer;
+    context.arguments.ReadFrom(outer);
 }
 
-void Parser::ReadDirective() {
-    const Token &token = lexer->Peek();
-    at = lexer->Loc();
-    directive = token.kind == TokenKind::Word ? FindDirective(token.text) : nullptr;
-    depth = 0;
+void Parser::ReadDirective(Lexer &lexer) {
+    const Token &token = lexer.Peek();
+    const Directive *const directive =
+        token.kind == TokenKind::Word ? FindDirective(token.text) : nullptr;
+    context.arguments.Begin(directive ? directive->name : "");
     if (!directive) {
-        if (!lexer->ReportMissingQuote()) {
+        if (!lexer.ReportMissingQuote()) {
             RefuseDirective(token);
-            if (token.kind != TokenKind::Open) lexer->Advance();
+            if (token.kind != TokenKind::Open) lexer.Advance();
         }
-        return Resynchronise();
+        return context.arguments.Resynchronise();
     }
-    lexer->Advance();
-    if (!CheckPlace(*directive)) return Resynchronise();
-    (this->*directive->read)();
+    lexer.Advance();
+    if (!CheckPlace(*directive)) return context.arguments.Resynchronise();
+    directive->read(context);
 }
 
 void Parser::RefuseDirective(const Token &token) {
     if (token.kind == TokenKind::Broken) return;  // reported by the lexer
-    if (token.kind != TokenKind::Word || !IsName(token.text))
+    const FileLoc &at = context.arguments.At();
+    if (token.kind != TokenKind::Word || !MayBeDirective(token.text))
         return log->Error(at, fmt::format("expected a directive, found {}", Describe(token)));
     const std::string_view old = OldDirectiveHint(token.text);
     log->Error(at, fmt::format("unknown directive {}{}", Describe(token),
@@ -116,40 +116,30 @@ void Parser::RefuseDirective(const Token &token) {
 /// A directive before WorldBegin that belongs after it is read all the same, so that its own
 /// mistakes are found; the others misplaced in the same way are then not reported again.
 bool Parser::CheckPlace(const Directive &d) {
-    if (d.where == Where::BeforeWorld && builder.InWorld()) {
-        log->Error(at, fmt::format("{} is allowed only before WorldBegin", d.name));
+    if (d.where == Where::BeforeWorld && context.builder.InWorld()) {
+        log->Error(context.arguments.At(),
+                   fmt::format("{} is allowed only before WorldBegin", d.name));
         return false;
     }
-    if (d.where == Where::InWorld && !builder.InWorld() && !saidNotInWorld) {
-        log->Error(at, fmt::format("{} is allowed only after WorldBegin", d.name));
+    if (d.where == Where::InWorld && !context.builder.InWorld() && !saidNotInWorld) {
+        log->Error(context.arguments.At(),
+                   fmt::format("{} is allowed only after WorldBegin", d.name));
         saidNotInWorld = true;
     }
     return true;
 }
 
-void Parser::Resynchronise() {
-    for (; lexer->Peek().kind != TokenKind::End; lexer->Advance()) {
-        const Token &t = lexer->Peek();
-        if (t.kind == TokenKind::Open) ++depth;
-        if (t.kind == TokenKind::Close && depth > 0) --depth;
-        if (t.kind != TokenKind::Word) continue;
-        const bool misspelt = depth == 0 && lexer->AtLineStart() && IsName(t.text);
-        if (misspelt || FindDirective(t.text)) return;
-    }
-}
-
-bool Parser::ReadNested(const std::string &name, const FileLoc &use) {
+void Parser::ReadNested(const std::string &name, const FileLoc &use) {
     const std::string path = ResolvePath(name, dir);
     const OpenFile file{path == "-" ? "<stdin>" : path, CanonicalPath(path)};
     for (const OpenFile &f : open)
-        if (f.identity == file.identity) return ReportCycle(file, use), false;
-    if (!MayInclude(use)) return false;
+        if (f.identity == file.identity) return ReportCycle(file, use);
+    if (!MayInclude(use)) return;
     const std::optional<std::string> text = ReadFileContents(path, Pipes::Refused, use, *log);
-    if (!text) return false;
+    if (!text) return;
     open.push_back(file);
     ReadTokens(*text, scene->fileNames.emplace_back(file.shown));
     open.pop_back();
-    return true;
 }
 
 bool Parser::MayInclude(const FileLoc &use) {

@@ -1,104 +1,111 @@
-// The directives that set the current transformation.
+#include "pbrt/scene/transform_directives.h"
 
 #include <fmt/format.h>
 
-#include "pbrt/scene/parser.h"
+#include <array>
 
 namespace pbrt {
+namespace {
 
-void Parser::Concatenate(const std::optional<pbrt::Transform> &t, std::string_view whyNot) {
+/// Multiplies the current transformation by `t`; `whyNot` is the error where there is none.
+void Concatenate(DirectiveContext &c, const std::optional<Transform> &t, std::string_view whyNot) {
     if (t)
-        builder.Concatenate(*t);
+        c.builder.Concatenate(*t);
     else
-        Error(at, whyNot);
+        c.arguments.Error(c.arguments.At(), whyNot);
 }
 
-void Parser::Identity() {
-    builder.Replace({});
+}  // namespace
+
+void ReadIdentity(DirectiveContext &c) {
+    c.builder.Replace({});
 }
 
-void Parser::Translate() {
+void ReadTranslate(DirectiveContext &c) {
     constexpr std::array<std::string_view, 3> kLabels{"x", "y", "z"};
-    if (const auto v = Numbers(kLabels))
-        builder.Concatenate(pbrt::Transform::Translate({(*v)[0], (*v)[1], (*v)[2]}));
+    if (const auto v = c.arguments.Numbers(kLabels))
+        c.builder.Concatenate(Transform::Translate({(*v)[0], (*v)[1], (*v)[2]}));
 }
 
-void Parser::Scale() {
+void ReadScale(DirectiveContext &c) {
     constexpr std::array<std::string_view, 3> kLabels{"x", "y", "z"};
-    if (const auto v = Numbers(kLabels))
-        Concatenate(pbrt::Transform::Scale({(*v)[0], (*v)[1], (*v)[2]}), "a factor must not be 0");
+    if (const auto v = c.arguments.Numbers(kLabels))
+        Concatenate(c, Transform::Scale({(*v)[0], (*v)[1], (*v)[2]}), "a factor must not be 0");
 }
 
-void Parser::Rotate() {
+void ReadRotate(DirectiveContext &c) {
     constexpr std::array<std::string_view, 4> kLabels{"degrees", "axis x", "axis y", "axis z"};
-    if (const auto v = Numbers(kLabels))
-        Concatenate(pbrt::Transform::Rotate((*v)[0], {(*v)[1], (*v)[2], (*v)[3]}),
+    if (const auto v = c.arguments.Numbers(kLabels))
+        Concatenate(c, Transform::Rotate((*v)[0], {(*v)[1], (*v)[2], (*v)[3]}),
                     "the axis must not be 0");
 }
 
-void Parser::LookAt() {
+void ReadLookAt(DirectiveContext &c) {
     constexpr std::array<std::string_view, 9> kLabels{
         "eye x", "eye y", "eye z", "look x", "look y", "look z", "up x", "up y", "up z"};
-    const auto v = Numbers(kLabels);
+    const auto v = c.arguments.Numbers(kLabels);
     if (!v) return;
     const float *n = v->data();
-    Concatenate(pbrt::Transform::LookAt({n[0], n[1], n[2]}, {n[3], n[4], n[5]}, {n[6], n[7], n[8]}),
+    Concatenate(c, Transform::LookAt({n[0], n[1], n[2]}, {n[3], n[4], n[5]}, {n[6], n[7], n[8]}),
                 "the eye stands on the target, or up is parallel to the view");
 }
 
-void Parser::Transform() {
-    const std::optional<Matrix4> m = BracketedMatrix();
+void ReadTransform(DirectiveContext &c) {
+    const std::optional<Matrix4> m = c.arguments.BracketedMatrix();
     if (!m) return;
-    if (const auto t = pbrt::Transform::FromMatrix(*m))
-        builder.Replace(*t);
+    if (const auto t = Transform::FromMatrix(*m))
+        c.builder.Replace(*t);
     else
-        Error(at, "the matrix has no inverse");
+        c.arguments.Error(c.arguments.At(), "the matrix has no inverse");
 }
 
-void Parser::ConcatTransform() {
-    if (const std::optional<Matrix4> m = BracketedMatrix())
-        Concatenate(pbrt::Transform::FromMatrix(*m), "the matrix has no inverse");
+void ReadConcatTransform(DirectiveContext &c) {
+    if (const std::optional<Matrix4> m = c.arguments.BracketedMatrix())
+        Concatenate(c, Transform::FromMatrix(*m), "the matrix has no inverse");
 }
 
-void Parser::CoordinateSystem() {
-    if (const auto name = Name("the coordinate system's name")) builder.SaveCoordinateSystem(*name);
+void ReadCoordinateSystem(DirectiveContext &c) {
+    if (const auto name = c.arguments.Name("the coordinate system's name"))
+        c.builder.SaveCoordinateSystem(*name);
 }
 
-void Parser::CoordSysTransform() {
-    const FileLoc loc = lexer->Loc();
-    const auto name = Name("the coordinate system's name");
-    if (!name || builder.RestoreCoordinateSystem(*name)) return;
-    log->Warning(loc, fmt::format("CoordSysTransform: no coordinate system \"{}\"{}; the "
-                                  "transformation stays as it was",
-                                  *name, DidYouMean(*name, builder.CoordinateSystemNames())));
+void ReadCoordSysTransform(DirectiveContext &c) {
+    const FileLoc loc = c.arguments.Loc();
+    const auto name = c.arguments.Name("the coordinate system's name");
+    if (!name || c.builder.RestoreCoordinateSystem(*name)) return;
+    c.log->Warning(loc, fmt::format("CoordSysTransform: no coordinate system \"{}\"{}; the "
+                                    "transformation stays as it was",
+                                    *name, DidYouMean(*name, c.builder.CoordinateSystemNames())));
 }
 
-void Parser::ActiveTransform() {
+void ReadActiveTransform(DirectiveContext &c) {
     constexpr std::array<std::string_view, 3> kWhich{"All", "StartTime", "EndTime"};
-    const Token &t = lexer->Peek();
-    if (t.kind != TokenKind::Word || FindDirective(t.text)) {
-        Expected("All, StartTime or EndTime without quotes");
-        if (t.kind == TokenKind::String) lexer->Advance();
-        return Resynchronise();
+    const Token &t = c.arguments.Peek();
+    if (t.kind != TokenKind::Word || c.arguments.IsDirective(t)) {
+        c.arguments.Expected("All, StartTime or EndTime without quotes");
+        if (t.kind == TokenKind::String) c.arguments.Advance();
+        return c.arguments.Resynchronise();
     }
     if (t.text == kWhich[0])
-        builder.ActivateTransforms(true, true);
+        c.builder.ActivateTransforms(true, true);
     else if (t.text == kWhich[1] || t.text == kWhich[2])
-        builder.ActivateTransforms(t.text == kWhich[1], t.text == kWhich[2]);
+        c.builder.ActivateTransforms(t.text == kWhich[1], t.text == kWhich[2]);
     else
-        Error(lexer->Loc(), fmt::format("{} is not All, StartTime or EndTime{}", Describe(t),
-                                        DidYouMean(t.text, kWhich)));
-    lexer->Advance();
+        c.arguments.Error(c.arguments.Loc(), fmt::format("{} is not All, StartTime or EndTime{}",
+                                                         Describe(t), DidYouMean(t.text, kWhich)));
+    c.arguments.Advance();
 }
 
-void Parser::TransformTimes() {
+void ReadTransformTimes(DirectiveContext &c) {
     constexpr std::array<std::string_view, 2> kLabels{"start", "end"};
-    const auto v = Numbers(kLabels);
+    const auto v = c.arguments.Numbers(kLabels);
     if (!v) return;
     if ((*v)[0] > (*v)[1])
-        return Error(at, fmt::format("the start, {}, is later than the end, {}", (*v)[0], (*v)[1]));
-    scene->transformStart = (*v)[0];
-    scene->transformEnd = (*v)[1];
+        return c.arguments.Error(
+            c.arguments.At(),
+            fmt::format("the start, {}, is later than the end, {}", (*v)[0], (*v)[1]));
+    c.scene->transformStart = (*v)[0];
+    c.scene->transformEnd = (*v)[1];
 }
 
 }  // namespace pbrt

@@ -9,13 +9,13 @@ namespace pbrt {
 std::optional<BilinearMesh> BilinearMesh::Create(const ShapeArguments &a) {
     MeshReader reader(a, 4);
     BilinearMesh mesh;
-    mesh.n = a.params.GetNormalArray("N");
-    mesh.uv = a.params.GetPoint2fArray("uv");
-    mesh.faceIndices = a.params.GetIntArray("faceIndices");
+    mesh.n = a.params.GetNormalArray(MeshReader::kN);
+    mesh.uv = a.params.GetPoint2fArray(MeshReader::kUV);
+    mesh.faceIndices = a.params.GetIntArray(MeshReader::kFaceIndices);
     if (!reader.PointsAndIndices(&mesh.p, &mesh.indices)) return {};
-    reader.Check("normal", "N", "points", mesh.p.size(), mesh.n);
-    reader.Check("point2", "uv", "points", mesh.p.size(), mesh.uv);
-    reader.Check("integer", "faceIndices", "patches", mesh.NPrimitives(), mesh.faceIndices);
+    reader.Check(MeshReader::kN, "points", mesh.p.size(), mesh.n);
+    reader.Check(MeshReader::kUV, "points", mesh.p.size(), mesh.uv);
+    reader.Check(MeshReader::kFaceIndices, "patches", mesh.NPrimitives(), mesh.faceIndices);
     return reader.Finish(std::move(mesh));
 }
 

@@ -16,15 +16,13 @@ struct BilinearMesh {
     static constexpr std::string_view kName = "bilinearmesh";
     static constexpr ShapeTraits kTraits{
         .canEmit = true, .intersectsItself = true, .fewestWide = 3};
-    static constexpr std::array kExamples{
-        std::string_view(
-            R"(Rotate 20 1 2 3 Shape "bilinearmesh" "point3 P" [ 0 0 0  2 0 0  0 1 0  2 1 0 ])"),
-        std::string_view(R"(Shape "bilinearmesh" "point3 P" [ 0 0 0  2 0 0  1 1 0  3 1 0 ])"),
-        std::string_view(R"(Shape "bilinearmesh" "point3 P" [ 0 0 0  2 0 0  0 1 0  1 2 0 ])"),
-        std::string_view(R"(Shape "bilinearmesh" "point3 P" [ 0 0 0  2 0 0  0 1 0  2 2 1 ])"),
-        std::string_view(R"(ReverseOrientation Shape "bilinearmesh"
-            "point3 P" [ 0 0 0  2 0 0  0 1 0  2 1 0 ] "point2 uv" [ 0 0  0 3  3 0  3 3 ]
-            "normal N" [ 0 0 1  0 0.2 1  0 0 1  0.1 0 1 ] "integer faceIndices" 5)")};
+    static constexpr std::array<std::string_view, 5> kExamples{
+        R"("point3 P" [ 0 0 0  2 0 0  0 1 0  2 1 0 ])",
+        R"("point3 P" [ 0 0 0  2 0 0  1 1 0  3 1 0 ])",
+        R"("point3 P" [ 0 0 0  2 0 0  0 1 0  1 2 0 ])",
+        R"("point3 P" [ 0 0 0  2 0 0  0 1 0  2 2 1 ])",
+        R"("point3 P" [ 0 0 0  2 0 0  0 1 0  2 1 0 ] "point2 uv" [ 0 0  0 3  3 0  3 3 ]
+            "normal N" [ 0 0 1  0 0.2 1  0 0 1  0.1 0 1 ] "integer faceIndices" 5)"};
     static std::optional<BilinearMesh> Create(const ShapeArguments &a);
 
     size_t NPrimitives() const { return indices.size() / 4; }

@@ -12,6 +12,19 @@ namespace {
 constexpr std::array<std::string_view, 3> kTypes{"flat", "cylinder", "ribbon"};
 constexpr std::array<std::string_view, 2> kBases{"bezier", "bspline"};
 
+constexpr ChoiceParam kType{"type", kTypes[0], kTypes,
+                            "flat and cylinder turn to the ray; ribbons lie as N says"};
+constexpr ChoiceParam kBasis{"basis", kBases[0], kBases, "what the control points are of"};
+constexpr IntParam kDegree{"degree", 3, 2, 3, "of the polynomials"};
+constexpr IntParam kSplitDepth{"splitdepth", 3, 0, 10,
+                               "no effect: the ray tracer splits as it sees fit"};
+constexpr ArrayParam kP{"P", "point3", "an error", "control points"};
+constexpr ArrayParam kN{"N", "normal", "none",
+                        "ribbons only: normals where the segments begin and end"};
+constexpr FloatParam kWidth{"width", "", 1, 0, kOpen, "of the curve"};
+constexpr FloatParam kWidth0{"width0", "", 1, 0, kOpen, "width of the beginning; not given: width"};
+constexpr FloatParam kWidth1{"width1", "", 1, 0, kOpen, "width of the end; not given: width"};
+
 constexpr int kRibbonSteps = 16;  ///< a segment
 
 /// Control points of one cubic Bezier segment.
@@ -57,14 +70,14 @@ class CurveReader {
     explicit CurveReader(const ShapeArguments &a) : a(a), params(a.params) {}
 
     std::optional<std::variant<CurveSet, TriangleMesh>> Read() {
-        const int type = params.GetOneChoice("type", "flat", kTypes);
-        const bool isBezier = params.GetOneChoice("basis", "bezier", kBases) == 0;
-        const int degree = params.GetOneInt("degree", 3, 2, 3);
-        params.GetOneInt("splitdepth", 3, 0, 10);  // the ray tracer splits as it sees fit
-        const std::vector<Point3f> p = params.GetPoint3fArray("P");
+        const int type = params.GetOneChoice(kType);
+        const bool isBezier = params.GetOneChoice(kBasis) == 0;
+        const int degree = params.GetOneInt(kDegree);
+        params.GetOneInt(kSplitDepth);
+        const std::vector<Point3f> p = params.GetPoint3fArray(kP);
         const auto segments = CountSegments(p.size(), isBezier, degree);
         ReadWidths();
-        const std::vector<Normal3f> n = params.GetNormalArray("N");
+        const std::vector<Normal3f> n = params.GetNormalArray(kN);
         if (!segments || !NormalsFit(type, n, *segments) || !TransformFits()) return {};
         for (size_t i = 0; i < *segments; ++i) {
             const Point3f *const q = &p[isBezier ? i * size_t(degree) : i];
@@ -90,34 +103,29 @@ class CurveReader {
         if (points > d && (!isBezier || (points - 1) % d == 0)) {
             const size_t segments = isBezier ? (points - 1) / d : points - d;
             if (segments <= kMaxCurveSegments) return segments;
-            params.Error("P", fmt::format("{} segments; one curve has at most {}", segments,
-                                          kMaxCurveSegments));
+            params.Error(kP.name, fmt::format("{} segments; one curve has at most {}", segments,
+                                              kMaxCurveSegments));
             return {};
         }
-        params.Error("P", isBezier ? fmt::format("\"point3 P\": {} points; a bezier curve of "
-                                                 "degree {} has {}, {}, {}... of them",
-                                                 points, d, d + 1, 2 * d + 1, 3 * d + 1)
-                                   : fmt::format("\"point3 P\": {} points; a bspline of degree {} "
-                                                 "has {} or more of them",
-                                                 points, d, d + 1));
+        params.Error(kP.name, isBezier
+                                  ? fmt::format("\"point3 P\": {} points; a bezier curve of "
+                                                "degree {} has {}, {}, {}... of them",
+                                                points, d, d + 1, 2 * d + 1, 3 * d + 1)
+                                  : fmt::format("\"point3 P\": {} points; a bspline of degree {} "
+                                                "has {} or more of them",
+                                                points, d, d + 1));
         return {};
     }
 
     void ReadWidths() {
-        const float both = Width("width", 1);
-        width[0] = Width("width0", both);
-        width[1] = Width("width1", both);
-    }
-    float Width(std::string_view name, float def) {
-        const float w = params.GetOneFloat(name, def);
-        if (w >= 0 && w < Infinity) return w;
-        params.Error(name, fmt::format("\"float {}\": {} is less than 0", name, w));
-        return def;
+        FloatParam begin = kWidth0, end = kWidth1;
+        begin.def = end.def = params.GetOneFloat(kWidth);
+        width = {params.GetOneFloat(begin), params.GetOneFloat(end)};
     }
 
     bool NormalsFit(int type, const std::vector<Normal3f> &n, size_t segments) {
         if (kTypes[size_t(type)] != "ribbon") {
-            if (!n.empty()) params.Warning("N", "\"normal N\": only ribbons have normals");
+            if (!n.empty()) params.Warning(kN.name, "\"normal N\": only ribbons have normals");
             return true;
         }
         const bool fit =
@@ -125,7 +133,7 @@ class CurveReader {
                 return LengthSquared(v) > 0 && LengthSquared(v) < Infinity;
             });
         if (!fit)
-            params.Error(n.empty() ? "type" : "N",
+            params.Error(n.empty() ? kType.name : kN.name,
                          fmt::format("\"normal N\": a ribbon of {} segment{} needs {} normals, not "
                                      "0 in length; {} given",
                                      segments, segments == 1 ? "" : "s", segments + 1, n.size()));

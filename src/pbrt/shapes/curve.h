@@ -28,12 +28,12 @@ struct CurvePoint {
 struct CurveSet {
     static constexpr std::string_view kName = "curve";
     static constexpr ShapeTraits kTraits{};
-    static constexpr std::array kExamples{
-        std::string_view(R"(Shape "curve" "point3 P" [ 0 0 0  1 1 0  2 -1 1  3 0 0 ])"),
-        std::string_view(R"(Scale 2 -2 2 Shape "curve" "string type" "cylinder" "float width" 0.5
-            "string basis" "bspline" "point3 P" [ 0 0 0  1 2 0  2 -1 1  4 0 3  5 2 2 ])"),
-        std::string_view(R"(ReverseOrientation Shape "curve" "integer degree" 2 "float width0" 0.4
-            "float width1" 0.1 "point3 P" [ 0 0 0  1 2 0  2 -1 1  4 0 3  5 2 2 ])")};
+    static constexpr std::array<std::string_view, 3> kExamples{
+        R"("point3 P" [ 0 0 0  1 1 0  2 -1 1  3 0 0 ])",
+        R"("string type" "cylinder" "float width" 0.5 "string basis" "bspline"
+            "point3 P" [ 0 0 0  1 2 0  2 -1 1  4 0 3  5 2 2 ])",
+        R"("integer degree" 2 "float width0" 0.4 "float width1" 0.1
+            "point3 P" [ 0 0 0  1 2 0  2 -1 1  4 0 3  5 2 2 ])"};
     /// A ribbon becomes triangles.
     static std::optional<std::variant<CurveSet, TriangleMesh>> Create(const ShapeArguments &a);
 

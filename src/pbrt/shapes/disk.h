@@ -13,17 +13,17 @@ struct Disk {
     static constexpr std::string_view kName = "disk";
     static constexpr ShapeTraits kTraits{
         .canEmit = true, .intersectsItself = true, .hasObjectSpace = true};
-    static constexpr std::array kExamples{
-        std::string_view(R"(Rotate 40 1 0 1 Shape "disk" "float height" 0.3)"),
-        std::string_view(
-            R"(Scale 2 1 0.5 Shape "disk" "float innerradius" 0.5 "float phimax" 200)"),
-        std::string_view(R"(ReverseOrientation Scale 1 1 -1 Shape "disk")")};
+    static constexpr std::array<std::string_view, 2> kExamples{
+        "", R"("float height" 0.3 "float innerradius" 0.5 "float phimax" 200)"};
+    static constexpr FloatParam kHeight{"height", "", 0, -kOpen, kOpen, "z of the disk"};
+    static constexpr FloatParam kInnerRadius{
+        "innerradius", "", 0, 0, kOpen, "radius of the hole, less than radius"};
     static std::optional<Disk> Create(const ShapeArguments &a) {
         QuadricReader reader(a);
         Disk d;
-        d.height = reader.Float("height", 0);
+        d.height = reader.Float(kHeight);
         d.radius = reader.Radius();
-        d.innerRadius = reader.FloatBelow("innerradius", 0, d.radius);
+        d.innerRadius = reader.FloatBelow(kInnerRadius, d.radius);
         d.phiMax = reader.PhiMax();
         return reader.Finish(d, {&Disk::radius, &Disk::innerRadius, &Disk::height});
     }

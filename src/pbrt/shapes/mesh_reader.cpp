@@ -5,8 +5,8 @@
 namespace pbrt {
 
 bool MeshReader::PointsAndIndices(std::vector<Point3f> *p, std::vector<uint32_t> *indices) {
-    *p = params.GetPoint3fArray("P");
-    const std::vector<int> given = params.GetIntArray("indices");
+    *p = params.GetPoint3fArray(kP);
+    const std::vector<int> given = params.GetIntArray(kIndices);
     if (p->empty()) return Fail("", fmt::format("{} needs \"point3 P\"", params.What()));
     if (given.empty() && p->size() != size_t(corners))
         return Fail("", fmt::format("{} needs \"integer indices\", for it has {} points and "
@@ -27,10 +27,11 @@ bool MeshReader::PointsAndIndices(std::vector<Point3f> *p, std::vector<uint32_t>
         indices->push_back(uint32_t(i));
     return true;
 }
-void MeshReader::CheckCount(std::string_view type, std::string_view name, std::string_view of,
-                            size_t count, size_t values) {
+void MeshReader::CheckCount(const ArrayParam &row, std::string_view of, size_t count,
+                            size_t values) {
     if (values != 0 && values != count)
-        Fail(name, fmt::format("\"{} {}\": {} values for {} {}", type, name, values, count, of));
+        Fail(row.name,
+             fmt::format("\"{} {}\": {} values for {} {}", row.type, row.name, values, count, of));
 }
 
 bool MeshReader::Fail(std::string_view name, std::string_view message) {

@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstring>
 #include <string_view>
+
+#include "pbrt/util/parse_number.h"
 
 namespace pbrt {
 
@@ -110,9 +111,9 @@ class HeaderReader {
             if (e.name == words[1]) return false;
         PlyElement element;
         element.name = words[1];
-        const char *const last = words[2].data() + words[2].size();
-        const auto parsed = std::from_chars(words[2].data(), last, element.count);
-        if (parsed.ec != std::errc() || parsed.ptr != last) return false;
+        const auto count = ParseWhole<decltype(element.count)>(words[2]);
+        if (!count) return false;
+        element.count = *count;
         header.elements.push_back(std::move(element));
         return true;
     }

@@ -6,16 +6,21 @@
 #include "pbrt/shapes/ply.h"
 
 namespace pbrt {
+namespace {
+
+constexpr StringParam kFileName{"filename", "", "the PLY file, which may be gzipped"};
+
+}  // namespace
 
 std::vector<PlyFile::Mesh> PlyFile::Create(const ShapeArguments &a) {
-    const std::string fileName = a.params.GetFileName("filename");
+    const std::string fileName = a.params.GetFileName(kFileName);
     if (fileName.empty()) {
         a.params.Error(fmt::format("{} needs \"string filename\"", a.params.What()));
         return {};
     }
     std::vector<Mesh> meshes;
     const auto fail = [&](std::string_view what) {
-        a.params.Error("filename", fmt::format("{}: {}", fileName, what));
+        a.params.Error(kFileName.name, fmt::format("{}: {}", fileName, what));
         return std::vector<Mesh>();
     };
     const auto place = [&](auto mesh) {
@@ -27,7 +32,7 @@ std::vector<PlyFile::Mesh> PlyFile::Create(const ShapeArguments &a) {
     std::optional<PlyMesh> ply = ReadPly(fileName, &problem);
     if (!ply) return fail(problem);
     if (ply->otherFaces > 0)
-        a.params.Warning("filename",
+        a.params.Warning(kFileName.name,
                          fmt::format("{}: {} faces have other than 3 or 4 corners and are left out",
                                      fileName, ply->otherFaces));
     if (ply->triangles.empty() && ply->quads.empty()) return fail("has no face of 3 or 4 corners");

@@ -8,34 +8,30 @@
 
 namespace pbrt {
 
-QuadricReader::QuadricReader(const ShapeArguments &a) : a(a) {
+QuadricReader::QuadricReader(const ShapeArguments &a) : a(a), before(a.params.Log().ErrorCount()) {
     const auto &m = a.renderFromObject.Matrix();
     if (m[3] != std::array<float, 4>{0, 0, 0, 1})
         Fail("", "cannot be placed by a perspective transform");
 }
-float QuadricReader::Radius() {
-    const float radius = a.params.GetOneFloat("radius", 1);
-    if (radius > 0 && radius < Infinity) return radius;
-    Fail("radius", fmt::format("\"float radius\": {} is not more than 0", radius));
-    return 1;
-}
 float QuadricReader::PhiMax() {
-    const float degrees = a.params.GetOneFloat("phimax", 360);
-    if (!(degrees > 0 && degrees <= 360))
-        Fail("phimax", fmt::format("\"float phimax\": {} is outside (0, 360] deg", degrees));
+    const float degrees = a.params.GetOneFloat(kPhiMax);
     return degrees >= 360 ? 2 * Pi : Radians(degrees);
 }
+
 void QuadricReader::ZRange(float *zMin, float *zMax) {
-    *zMin = a.params.GetOneFloat("zmin", *zMin);
-    *zMax = a.params.GetOneFloat("zmax", *zMax);
+    FloatParam low = kZMin, high = kZMax;
+    low.def = *zMin, high.def = *zMax;
+    *zMin = a.params.GetOneFloat(low);
+    *zMax = a.params.GetOneFloat(high);
     if (!(*zMin < *zMax))
-        Fail(a.params.Has("zmin", "float") ? "zmin" : "zmax",
+        Fail(a.params.Has(kZMin) ? kZMin.name : kZMax.name,
              fmt::format("zmin, {}, is not less than zmax, {}", *zMin, *zMax));
 }
-float QuadricReader::FloatBelow(std::string_view name, float def, float limit) {
-    const float value = a.params.GetOneFloat(name, def);
-    if (!(value >= 0 && value < limit))
-        Fail(name, fmt::format("\"float {}\": {} is outside [0, {})", name, value, limit));
+
+float QuadricReader::FloatBelow(const FloatParam &row, float limit) {
+    const float value = a.params.GetOneFloat(row);
+    if (!(value < limit))
+        Fail(row.name, fmt::format("\"float {}\": {} is outside [0, {})", row.name, value, limit));
     return value;
 }
 
@@ -44,7 +40,6 @@ void QuadricReader::Fail(std::string_view name, std::string_view message) {
         a.params.Error(fmt::format("{} {}", a.params.What(), message));
     else
         a.params.Error(name, message);
-    ok = false;
 }
 float QuadricReader::Unit(float radius) {
     return radius > 1e-6f && radius < 1e6f ? 1 : std::ldexp(1.f, std::ilogb(radius));
@@ -52,7 +47,7 @@ float QuadricReader::Unit(float radius) {
 void QuadricReader::CheckSize(const Transform &renderFromObject) {
     const Transform inverse = renderFromObject.Inverse();
     for (const Vector3f &axis : {Vector3f{1, 0, 0}, Vector3f{0, 1, 0}, Vector3f{0, 0, 1}})
-        if (ok &&
+        if (Ok() &&
             !(HasSafeLength(renderFromObject.Vector(axis)) && HasSafeLength(inverse.Vector(axis))))
             Fail("",
                  fmt::format("is {:g} in size where it stands; {:g} to {:g} can be traced",

@@ -15,15 +15,23 @@ class QuadricReader {
   public:
     explicit QuadricReader(const ShapeArguments &a);
 
-    /// 1 after an error, so that it causes no others.
-    float Radius();
+    static constexpr FloatParam kRadius{"radius",   "",    1,
+                                        kAboveZero, kOpen, "distance of the surface"};
+    static constexpr FloatParam kZMin{"zmin", "",    -1,
+                                      -kOpen, kOpen, "lower cut; a sphere's default: -radius"};
+    static constexpr FloatParam kZMax{"zmax", "",    1,
+                                      -kOpen, kOpen, "upper cut; a sphere's default: radius"};
+    static constexpr FloatParam kPhiMax{
+        "phimax", "deg", 360, kAboveZero, 360, "how far the surface goes round the z axis"};
+
+    float Radius() { return Float(kRadius); }
     /// In radians, (0, 2 pi].
     float PhiMax();
     /// zmin < zmax; given are the defaults.
     void ZRange(float *zMin, float *zMax);
-    float Float(std::string_view name, float def) { return a.params.GetOneFloat(name, def); }
-    /// In [0, limit).
-    float FloatBelow(std::string_view name, float def, float limit);
+    float Float(const FloatParam &row) { return a.params.GetOneFloat(row); }
+    /// At least 0 and less than another length, which the row does not know.
+    float FloatBelow(const FloatParam &row, float limit);
 
     /// An error at the named parameter; without a name at the directive, after the shape's name.
     void Fail(std::string_view name, std::string_view message);
@@ -38,8 +46,8 @@ class QuadricReader {
                 quadric.*length /= unit;
             quadric.renderFromObject = a.renderFromObject * *Transform::Scale({unit, unit, unit});
         }
-        if (ok) CheckSize(quadric.renderFromObject);
-        if (!ok) return {};
+        if (Ok()) CheckSize(quadric.renderFromObject);
+        if (!Ok()) return {};
         quadric.flipNormal = a.entity.reverseOrientation;
         return quadric;
     }
@@ -51,8 +59,10 @@ class QuadricReader {
     /// Normals and tangents must have lengths to normalise by.
     void CheckSize(const Transform &renderFromObject);
 
+    bool Ok() const { return a.params.Log().ErrorCount() == before; }
+
     const ShapeArguments &a;
-    bool ok = true;
+    int before;  ///< errors of others
 };
 
 }  // namespace pbrt

@@ -14,8 +14,9 @@ std::optional<Sphere> Sphere::Create(const ShapeArguments &a) {
     s.zMax = s.radius;
     reader.ZRange(&s.zMin, &s.zMax);
     if (s.zMin >= s.radius || s.zMax <= -s.radius)
-        reader.Fail("zmin", fmt::format("zmin, {}, to zmax, {}, leaves nothing of the radius, {}",
-                                        s.zMin, s.zMax, s.radius));
+        reader.Fail(QuadricReader::kZMin.name,
+                    fmt::format("zmin, {}, to zmax, {}, leaves nothing of the radius, {}", s.zMin,
+                                s.zMax, s.radius));
     s.zMin = std::max(s.zMin, -s.radius);
     s.zMax = std::min(s.zMax, s.radius);
     s.phiMax = reader.PhiMax();

@@ -8,15 +8,15 @@ namespace pbrt {
 std::optional<TriangleMesh> TriangleMesh::Create(const ShapeArguments &a) {
     MeshReader reader(a, 3);
     TriangleMesh mesh;
-    mesh.n = a.params.GetNormalArray("N");
-    mesh.s = a.params.GetVector3fArray("S");
-    mesh.uv = a.params.GetPoint2fArray("uv");
-    mesh.faceIndices = a.params.GetIntArray("faceIndices");
+    mesh.n = a.params.GetNormalArray(MeshReader::kN);
+    mesh.s = a.params.GetVector3fArray(MeshReader::kS);
+    mesh.uv = a.params.GetPoint2fArray(MeshReader::kUV);
+    mesh.faceIndices = a.params.GetIntArray(MeshReader::kFaceIndices);
     if (!reader.PointsAndIndices(&mesh.p, &mesh.indices)) return {};
-    reader.Check("normal", "N", "points", mesh.p.size(), mesh.n);
-    reader.Check("vector3", "S", "points", mesh.p.size(), mesh.s);
-    reader.Check("point2", "uv", "points", mesh.p.size(), mesh.uv);
-    reader.Check("integer", "faceIndices", "triangles", mesh.NPrimitives(), mesh.faceIndices);
+    reader.Check(MeshReader::kN, "points", mesh.p.size(), mesh.n);
+    reader.Check(MeshReader::kS, "points", mesh.p.size(), mesh.s);
+    reader.Check(MeshReader::kUV, "points", mesh.p.size(), mesh.uv);
+    reader.Check(MeshReader::kFaceIndices, "triangles", mesh.NPrimitives(), mesh.faceIndices);
     return reader.Finish(std::move(mesh));
 }
 

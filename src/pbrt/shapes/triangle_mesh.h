@@ -14,13 +14,11 @@ namespace pbrt {
 struct TriangleMesh {
     static constexpr std::string_view kName = "trianglemesh";
     static constexpr ShapeTraits kTraits{.canEmit = true, .fewestWide = 1};
-    static constexpr std::array kExamples{
-        std::string_view(R"(Shape "trianglemesh" "point3 P" [ 0 0 0  2 0 0.5  0.3 1 0 ])"),
-        std::string_view(
-            R"(ReverseOrientation Shape "trianglemesh" "point3 P" [ 5 0 0  2 0 0.5  0.3 1 0 ])"),
-        std::string_view(R"(Scale 1 1 -1 Shape "trianglemesh" "integer indices" [ 0 1 2  0 2 3 ]
+    static constexpr std::array<std::string_view, 2> kExamples{
+        R"("point3 P" [ 0 0 0  2 0 0.5  0.3 1 0 ])",
+        R"("integer indices" [ 0 1 2  0 2 3 ]
             "point3 P" [ 0 0 0  2 0 0  2 1 1  0 1 0 ] "point2 uv" [ 0 0  1 0  1 1  0 1 ]
-            "normal N" [ 0 0 1  0 0.2 1  0 0 1  0.1 0 1 ] "integer faceIndices" [ 7 3 ])")};
+            "normal N" [ 0 0 1  0 0.2 1  0 0 1  0.1 0 1 ] "integer faceIndices" [ 7 3 ])"};
     static std::optional<TriangleMesh> Create(const ShapeArguments &a);
 
     size_t NPrimitives() const { return indices.size() / 3; }

@@ -7,8 +7,6 @@
 #include <cmath>
 #include <optional>
 
-#include "pbrt/image/image.h"
-#include "pbrt/spectra/matrix.h"
 #include "pbrt/spectra/sigmoid_fit.h"
 #include "pbrt/spectra/sigmoid_table.h"
 
@@ -84,13 +82,6 @@ struct RGBColorSpace::Tables {
     tbb::collaborative_once_flag once;
     std::optional<SigmoidTable> table;
 };
-
-std::array<float, 3> Mul(const Matrix3 &m, const std::array<float, 3> &v) {
-    std::array<float, 3> r;
-    for (int i = 0; i < 3; ++i)
-        r[i] = m[i][0] * v[0] + m[i][1] * v[1] + m[i][2] * v[2];
-    return r;
-}
 
 RGBColorSpace::RGBColorSpace(std::string_view name,
                              const std::array<std::array<float, 2>, 4> &chromaticities,
@@ -213,14 +204,6 @@ SampledSpectrum RGBColorSpace::SampleIlluminant(const RGB &rgb,
     return SampleUnbounded(rgb, lambda) * tables->illuminant->Sample(lambda.Lambda());
 }
 
-float LinearToSRGB(float linear) {
-    return ColorEncoding{ColorEncoding::Kind::sRGB}.FromLinear(linear);
-}
-
-float SRGBToLinear(float encoded) {
-    return ColorEncoding{ColorEncoding::Kind::sRGB}.ToLinear(encoded);
-}
-
 Matrix3 WhiteBalance(const std::array<float, 2> &fromXY, const std::array<float, 2> &toXY) {
     // Bradford's cone responses (Lam 1985), as in ICC.1:2022 annex E.
     const Matrix3d bradford{
@@ -230,7 +213,7 @@ Matrix3 WhiteBalance(const std::array<float, 2> &fromXY, const std::array<float,
     Matrix3d scale{};
     for (int i = 0; i < 3; ++i)
         scale[i][i] = to[i] / from[i];
-    return ToFloat(Mul(Mul(Inverse(bradford), scale), bradford));
+    return ToFloat(Product(Product(Inverse(bradford), scale), bradford));
 }
 
 }  // namespace pbrt

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "pbrt/spectra/spectrum.h"
+#include "pbrt/util/matrix.h"
 
 namespace pbrt {
 
@@ -19,9 +20,6 @@ struct RGB {
     float Average() const { return (r + g + b) / 3; }
     float Max() const { return std::max(r, std::max(g, b)); }
 };
-
-using Matrix3 = std::array<std::array<float, 3>, 3>;  ///< [row][column]
-std::array<float, 3> Mul(const Matrix3 &m, const std::array<float, 3> &v);
 
 /// Standard RGB space: primaries, white, and the map from its colours to spectra.
 class RGBColorSpace {
@@ -73,9 +71,6 @@ class RGBColorSpace {
     std::unique_ptr<Tables> tables;
 };
 
-/// sRGB transfer curve; linear in [0, 1] to encoded and back.
-float LinearToSRGB(float linear);
-float SRGBToLinear(float encoded);
 /// 3 x 3 matrix that adapts XYZ from one white point (xy) to another, Bradford's method.
 Matrix3 WhiteBalance(const std::array<float, 2> &fromXY, const std::array<float, 2> &toXY);
 

@@ -4,7 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include "pbrt/feather/dispersion.h"
 #include "pbrt/spectra/spectrum.h"
 #include "pbrt/spectra/tables.h"
 
@@ -44,6 +43,19 @@ double MagnesiaIndex(float lambda) {
     const double l2 = Sqr(lambda * 1e-3);
     return std::sqrt(2.956362 - 0.01062387 * l2 - 2.04968e-5 * l2 * l2 +
                      0.02195770 / (l2 - 0.01428322));
+}
+
+/// Feather keratin: Leertouwer, Wilts, Stavenga 2011, doi 10.1364/oe.19.024061. The feather model,
+/// which stands on the standard library alone, has this formula and the next, too; a test compares.
+double KeratinIndex(double lambda) {
+    return 1.532 + 5890 / (lambda * lambda);
+}
+
+/// Power that melanin reflects in air at normal incidence, of the index n + ik by Stavenga et al.
+/// 2015, doi 10.1038/lsa.2015.16.
+double MelaninReflectance(double lambda) {
+    const double n = 1.648 + 23700 / (lambda * lambda), k = 0.56 * std::exp(-lambda / 270);
+    return (Sqr(n - 1) + Sqr(k)) / (Sqr(n + 1) + Sqr(k));
 }
 
 /// CIE standard illuminant A by its definition (CIE S 014-2): c2 = 1.435e7, T = 2848 K.
@@ -108,13 +120,8 @@ void AddIlluminants(Entries &all) {
 }
 
 void AddFeather(Entries &all) {
-    using feather::Nm;
-    all.emplace_back("keratin", Spectrum::DenselySampled([](float lambda) {
-                         return feather::KeratinIndex(Nm<double>{lambda});
-                     }));
-    all.emplace_back("melanin", Spectrum::DenselySampled([](float lambda) {
-                         return feather::MelaninReflectance(Nm<double>{lambda});
-                     }));
+    all.emplace_back("keratin", Spectrum::DenselySampled(KeratinIndex));
+    all.emplace_back("melanin", Spectrum::DenselySampled(MelaninReflectance));
 }
 
 /// Entries sorted by name.

@@ -40,7 +40,6 @@ class SampledSpectrum {
     /// True where some value differs from 0.
     explicit operator bool() const { return v[0] != 0 || v[1] != 0 || v[2] != 0 || v[3] != 0; }
     float MaxComponentValue() const { return std::max(std::max(v[0], v[1]), std::max(v[2], v[3])); }
-    float MinComponentValue() const { return std::min(std::min(v[0], v[1]), std::min(v[2], v[3])); }
     float Average() const { return (v[0] + v[1] + v[2] + v[3]) * 0.25f; }
     bool IsFinite() const {
         return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]) &&
@@ -51,12 +50,6 @@ class SampledSpectrum {
     Lanes v{};
 };
 
-inline SampledSpectrum SafeDiv(SampledSpectrum a, SampledSpectrum b) {
-    SampledSpectrum r;
-    for (int i = 0; i < NSpectrumSamples; ++i)
-        r.Set(i, b[i] != 0 ? a[i] / b[i] : 0);
-    return r;
-}
 inline SampledSpectrum Sqrt(SampledSpectrum a) {
     return SampledSpectrum(
         std::array<float, 4>{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])});
@@ -69,13 +62,6 @@ inline SampledSpectrum ClampZero(SampledSpectrum a) {
 inline SampledSpectrum ClampToUnit(SampledSpectrum a) {
     const SampledSpectrum::Lanes one = SampledSpectrum(1).Values(), v = ClampZero(a).Values();
     return SampledSpectrum(v < one ? v : one);
-}
-
-/// Density (1/nm) of the visible importance; 0 outside [LambdaMin, LambdaMax].
-/// PBRT_FORMAT section 6; integrates to 1 within 2e-7.
-inline float VisibleWavelengthsPDF(float lambda) {
-    if (!(lambda >= LambdaMin && lambda <= LambdaMax)) return 0;
-    return 0.0039398042f / Sqr(std::cosh(0.0072f * (lambda - 538)));
 }
 
 /// The wavelengths (nm) a path carries and the densities (1/nm) they were drawn with.

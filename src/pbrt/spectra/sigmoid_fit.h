@@ -3,10 +3,13 @@
 #include <array>
 #include <vector>
 
-#include "pbrt/spectra/matrix.h"
 #include "pbrt/spectra/spectrum.h"
+#include "pbrt/util/matrix.h"
 
 namespace pbrt {
+
+/// In double: a color, or the parameters of a sigmoid.
+using Triple = std::array<double, 3>;
 
 /// x(t) = (p[0] t + p[1]) t + p[2] with t = (lambda - 595 nm) / 235 nm, in [-1, 1]: the quadratic
 /// inside RGBSigmoid, better conditioned.

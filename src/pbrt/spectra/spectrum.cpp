@@ -158,13 +158,6 @@ float SpectrumToPhotometric(const Spectrum &s) {
     return Integral(s, spectra::tables::cieY);
 }
 
-float InnerProduct(const Spectrum &a, const Spectrum &b) {
-    double sum = 0;
-    for (int i = 0; i < DenseTable::Size; ++i)
-        sum += double(a(LambdaMin + i)) * b(LambdaMin + i);
-    return float(sum);
-}
-
 XYZ SpectrumToXYZ(const Spectrum &s) {
     namespace t = spectra::tables;
     return {Integral(s, t::cieX) / CIE_Y_integral, Integral(s, t::cieY) / CIE_Y_integral,

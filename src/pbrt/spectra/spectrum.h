@@ -90,8 +90,6 @@ std::array<double, 2> DaylightChromaticity(double kelvin);
 
 /// Integral of s times the CIE 1931 y matching function over 360-830 nm (1 nm sums).
 float SpectrumToPhotometric(const Spectrum &s);
-/// Integral of a(lambda) b(lambda) over 360-830 nm (1 nm sums).
-float InnerProduct(const Spectrum &a, const Spectrum &b);
 /// CIE XYZ of a spectrum, Y of the constant 1 being 1.
 struct XYZ {
     float X = 0, Y = 0, Z = 0;

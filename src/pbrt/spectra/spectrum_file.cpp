@@ -3,25 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 
 #include "pbrt/spectra/sampled_spectrum.h"
 #include "pbrt/util/diagnostics.h"
+#include "pbrt/util/parse_number.h"
 #include "pbrt/util/read_file.h"
 
 namespace pbrt {
 namespace {
-
-/// The number that `word` spells, whole; nothing where it spells none.
-std::optional<float> ParseFinite(std::string_view word) {
-    if (word.starts_with('+')) word.remove_prefix(1);
-    float value;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value))
-        return std::nullopt;
-    return value;
-}
 
 struct Reader {
     const std::string &fileName;
@@ -32,7 +21,7 @@ struct Reader {
         error = fileName + ":" + std::to_string(line) + ": " + what;
     }
     void Take(std::string_view word, int line) {
-        const std::optional<float> number = ParseFinite(word);
+        const std::optional<float> number = ParseNumber<float>(word);
         if (!number) return Fail(line, fmt::format("\"{}\" is not a number", Shortened(word)));
         if (points.lambda.size() > points.values.size()) {
             points.values.push_back(*number);

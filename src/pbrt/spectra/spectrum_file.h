@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "pbrt/image/image.h"
+#include "pbrt/util/result.h"
 
 namespace pbrt {
 

@@ -6,6 +6,13 @@
 namespace pbrt {
 namespace {
 
+constexpr IntParam kDimension{"dimension", 2, 2, 3,
+                              "2: squares of the mapping's coordinates; 3: cubes of texture space"};
+constexpr FloatParam kTex1{"tex1", "", 1, -kOpen, kOpen, "value of even cells"};
+constexpr FloatParam kTex2{"tex2", "", 0, -kOpen, kOpen, "value of odd cells"};
+constexpr SpectrumParam kSpectrum1{"tex1", SpectrumType::Unbounded, "1", "value of even cells"};
+constexpr SpectrumParam kSpectrum2{"tex2", SpectrumType::Unbounded, "0", "value of odd cells"};
+
 /// 0 in even cells, 1 in odd ones; without the limits of int.
 float Parity(float sumOfCells) {
     return sumOfCells - 2 * std::floor(sumOfCells / 2);
@@ -41,7 +48,7 @@ struct Cubes : FloatNode {
 };
 
 FloatTexture CreateBoard(TextureBuilder &builder) {
-    if (builder.params.GetOneInt("dimension", 2, 2, 3) == 3)
+    if (builder.params.GetOneInt(kDimension) == 3)
         return FloatTexture(std::make_shared<Cubes>(builder.textureFromRender));
     builder.named.readFootprints = true;
     const auto mapping = TextureMapping2D::Create(builder.params, builder.textureFromRender);
@@ -53,14 +60,14 @@ FloatTexture CreateBoard(TextureBuilder &builder) {
 
 FloatTexture CheckerboardTexture::CreateFloat(TextureBuilder &builder) {
     const FloatTexture board = CreateBoard(builder);
-    const FloatTexture tex1 = builder.Float("tex1", 1);
-    return Mixed(tex1, builder.Float("tex2", 0), board);
+    const FloatTexture tex1 = builder.Float(kTex1);
+    return Mixed(tex1, builder.Float(kTex2), board);
 }
 
 SpectrumByRole CheckerboardTexture::CreateSpectrum(TextureBuilder &builder) {
     const FloatTexture board = CreateBoard(builder);
-    const SpectrumByRole tex1 = builder.Spectra("tex1", 1);
-    return Mixed(tex1, builder.Spectra("tex2", 0), board);
+    const SpectrumByRole tex1 = builder.Spectra(kSpectrum1);
+    return Mixed(tex1, builder.Spectra(kSpectrum2), board);
 }
 
 }  // namespace pbrt

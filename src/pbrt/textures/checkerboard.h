@@ -9,8 +9,10 @@ namespace pbrt {
 /// mean over the box that holds the pixel's footprint; in 3D of the point alone.
 struct CheckerboardTexture {
     static constexpr std::string_view kName = "checkerboard";
+    static constexpr std::array<std::string_view, 2> kExamples{"", "\"integer dimension\" 3"};
     static FloatTexture CreateFloat(TextureBuilder &builder);
     static SpectrumByRole CreateSpectrum(TextureBuilder &builder);
 };
+static_assert(TextureType<CheckerboardTexture>);
 
 }  // namespace pbrt

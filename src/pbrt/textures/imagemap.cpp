@@ -9,6 +9,16 @@
 namespace pbrt {
 namespace {
 
+constexpr std::array<std::string_view, 5> kFilters{"point", "bilinear", "trilinear", "ewa", "EWA"};
+constexpr std::array<std::string_view, 3> kWraps{"repeat", "black", "clamp"};
+constexpr StringParam kFileName{"filename", "", "the picture"};
+constexpr ChoiceParam kFilter{"filter", kFilters[1], kFilters, "how pixels become one value"};
+constexpr ChoiceParam kWrap{"wrap", kWraps[0], kWraps, "what lies beyond the picture's border"};
+constexpr FloatParam kAnisotropy{
+    "maxanisotropy", "", 8, 1, 1000, "longest over shortest axis of an EWA ellipse, at most"};
+constexpr FloatParam kScale{"scale", "", 1, -kOpen, kOpen, "factor on the picture's values"};
+constexpr BoolParam kInvert{"invert", false, "values are taken from 1, after scale"};
+
 /// Everything both kinds of image texture share.
 struct ImageLookup {
     std::shared_ptr<const MIPMap> image;
@@ -76,14 +86,14 @@ std::shared_ptr<const MIPMap> AddImage(ParamDict &params, const std::string &fil
                                        bool wantsFloat, const std::string &key, Images &images) {
     const OrError<Image> read = ReadImage(file, encoding);
     if (!read) {
-        params.Error("filename", read.error);
+        params.Error(kFileName.name, read.error);
         return images[key] = nullptr;
     }
     const Image &image = *read.value;
     if (!image.metadata.unread.empty())
-        params.WarningOnce("filename", fmt::format("{}: {}", file, image.metadata.unread));
+        params.WarningOnce(kFileName.name, fmt::format("{}: {}", file, image.metadata.unread));
     if (const auto why = WhyTooLarge(MIPMap::BytesToCreate(image))) {
-        params.Error("filename", fmt::format("\"{}\" as a texture {}", file, *why));
+        params.Error(kFileName.name, fmt::format("\"{}\" as a texture {}", file, *why));
         return images[key] = nullptr;
     }
     if (wantsFloat && MIPMap::HasAlpha(image))
@@ -91,7 +101,7 @@ std::shared_ptr<const MIPMap> AddImage(ParamDict &params, const std::string &fil
     const std::shared_ptr<const MIPMap> map =
         MIPMap::Create(image, encoding.value_or(ColorEncoding{ColorEncoding::Kind::sRGB, 1}));
     if (!map)
-        params.Error("filename",
+        params.Error(kFileName.name,
                      fmt::format("\"{}\" has no channels R, G, B nor Y to make a texture of; it "
                                  "has {}",
                                  file, fmt::join(image.ChannelNames(), ", ")));
@@ -101,11 +111,12 @@ std::shared_ptr<const MIPMap> AddImage(ParamDict &params, const std::string &fil
 /// The picture, or what floats are read from; nullptr after an error.
 std::shared_ptr<const MIPMap> GetImage(TextureBuilder &builder, bool wantsFloat) {
     ParamDict &params = builder.params;
-    const std::string file = params.GetFileName("filename");
+    const std::string file = params.GetFileName(kFileName);
     const std::optional<ColorEncoding> encoding = GetEncoding(params);
     if (file.empty()) {
-        params.Error("filename", fmt::format("{} needs \"string filename\", a picture's file name",
-                                             params.What()));
+        params.Error(
+            kFileName.name,
+            fmt::format("{} needs \"string filename\", a picture's file name", params.What()));
         return nullptr;
     }
     const std::string key = fmt::format(
@@ -116,21 +127,16 @@ std::shared_ptr<const MIPMap> GetImage(TextureBuilder &builder, bool wantsFloat)
 }
 
 std::optional<ImageLookup> CreateLookup(TextureBuilder &builder, bool wantsFloat) {
-    static constexpr std::array<std::string_view, 5> kFilters{"point", "bilinear", "trilinear",
-                                                              "ewa", "EWA"};
-    static constexpr std::array<std::string_view, 3> kWraps{"repeat", "black", "clamp"};
-    static constexpr FloatParam kAnisotropy{
-        "maxanisotropy", "", 8, 1, 1000, "longest over shortest axis of an EWA ellipse"};
     ParamDict &params = builder.params;
     ImageLookup lookup;
     lookup.mapping = TextureMapping2D::Create(params, builder.textureFromRender);
     builder.readsUV |= lookup.mapping.ReadsUV();
-    const int filter = params.GetOneChoice("filter", kFilters[1], kFilters);
+    const int filter = params.GetOneChoice(kFilter);
     lookup.sampling.filter = TextureFilter(std::min(filter, int(TextureFilter::EWA)));
-    lookup.sampling.wrap = WrapMode(params.GetOneChoice("wrap", kWraps[0], kWraps));
+    lookup.sampling.wrap = WrapMode(params.GetOneChoice(kWrap));
     lookup.sampling.maxAnisotropy = params.GetOneFloat(kAnisotropy);
-    lookup.scale = params.GetOneFloat("scale", 1);
-    lookup.invert = params.GetOneBool("invert", false);
+    lookup.scale = params.GetOneFloat(kScale);
+    lookup.invert = params.GetOneBool(kInvert);
     lookup.image = GetImage(builder, wantsFloat);
     if (!lookup.image) return std::nullopt;
     builder.named.readFootprints |= lookup.image->NLevels() > 1;

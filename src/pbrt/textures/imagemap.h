@@ -12,8 +12,13 @@ namespace pbrt {
 /// and an alpha that is not 1 everywhere.
 struct ImageTexture {
     static constexpr std::string_view kName = "imagemap";
+    static constexpr std::array<std::string_view, 2> kExamples{
+        "\"string filename\" \"example.exr\"",
+        "\"string filename\" \"example.exr\" \"string filter\" \"ewa\" \"string wrap\" \"clamp\" "
+        "\"float scale\" 0.5"};
     static FloatTexture CreateFloat(TextureBuilder &builder);
     static SpectrumByRole CreateSpectrum(TextureBuilder &builder);
 };
+static_assert(TextureType<ImageTexture>);
 
 }  // namespace pbrt

@@ -5,6 +5,15 @@
 namespace pbrt {
 namespace {
 
+constexpr std::array<std::string_view, 4> kNames{"uv", "spherical", "cylindrical", "planar"};
+constexpr ChoiceParam kMapping{"mapping", kNames[0], kNames, "how points get coordinates (s, t)"};
+constexpr FloatParam kUScale{"uscale", "", 1, -kOpen, kOpen, "factor of u, mapping uv"};
+constexpr FloatParam kVScale{"vscale", "", 1, -kOpen, kOpen, "factor of v, mapping uv"};
+constexpr FloatParam kUDelta{"udelta", "", 0, -kOpen, kOpen, "added to s, mappings uv and planar"};
+constexpr FloatParam kVDelta{"vdelta", "", 0, -kOpen, kOpen, "added to t, mappings uv and planar"};
+constexpr PointParam kV1{"v1", "vector3", {1, 0, 0}, "s is p . v1, mapping planar"};
+constexpr PointParam kV2{"v2", "vector3", {0, 1, 0}, "t is p . v2, mapping planar"};
+
 /// Chain rule with the gradients of s and t in texture space.
 TexCoord2D WithGradients(Point2f st, Vector3f dsdp, Vector3f dtdp, const Transform &tr,
                          const TextureEvalContext &ctx) {
@@ -46,24 +55,22 @@ TexCoord2D PlanarMapping::Map(const TextureEvalContext &ctx) const {
 }
 
 TextureMapping2D TextureMapping2D::Create(ParamDict &params, const Transform &textureFromRender) {
-    static constexpr std::array<std::string_view, 4> kNames{"uv", "spherical", "cylindrical",
-                                                            "planar"};
-    switch (params.GetOneChoice("mapping", kNames[0], kNames)) {
+    switch (params.GetOneChoice(kMapping)) {
         case 1:
             return SphericalMapping{textureFromRender};
         case 2:
             return CylindricalMapping{textureFromRender};
         case 3: {
-            const Vector3f v1 = params.GetOneVector3f("v1", {1, 0, 0});
-            const Vector3f v2 = params.GetOneVector3f("v2", {0, 1, 0});
-            return PlanarMapping{textureFromRender, v1, v2, params.GetOneFloat("udelta", 0),
-                                 params.GetOneFloat("vdelta", 0)};
+            const Vector3f v1 = params.GetOneVector3f(kV1);
+            const Vector3f v2 = params.GetOneVector3f(kV2);
+            return PlanarMapping{textureFromRender, v1, v2, params.GetOneFloat(kUDelta),
+                                 params.GetOneFloat(kVDelta)};
         }
         default: {
-            const float uScale = params.GetOneFloat("uscale", 1);
-            const float vScale = params.GetOneFloat("vscale", 1);
-            return UVMapping{uScale, vScale, params.GetOneFloat("udelta", 0),
-                             params.GetOneFloat("vdelta", 0)};
+            const float uScale = params.GetOneFloat(kUScale);
+            const float vScale = params.GetOneFloat(kVScale);
+            return UVMapping{uScale, vScale, params.GetOneFloat(kUDelta),
+                             params.GetOneFloat(kVDelta)};
         }
     }
 }

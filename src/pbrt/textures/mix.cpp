@@ -3,6 +3,12 @@
 namespace pbrt {
 namespace {
 
+constexpr FloatParam kTex1{"tex1", "", 0, -kOpen, kOpen, "value where amount is 0"};
+constexpr FloatParam kTex2{"tex2", "", 1, -kOpen, kOpen, "value where amount is 1"};
+constexpr SpectrumParam kSpectrum1{"tex1", SpectrumType::Unbounded, "0", "value where amount is 0"};
+constexpr SpectrumParam kSpectrum2{"tex2", SpectrumType::Unbounded, "1", "value where amount is 1"};
+constexpr FloatParam kAmount{"amount", "", 0.5f, -kOpen, kOpen, "share of tex2"};
+
 /// (1 - t) a + t b, asking for both only where both count.
 template <typename Texture, typename... Args>
 auto MixedAt(const Texture &a, const Texture &b, float t, const Args &...args) {
@@ -70,13 +76,13 @@ SpectrumByRole Mixed(const SpectrumByRole &tex1, const SpectrumByRole &tex2,
 }
 
 FloatTexture MixTexture::CreateFloat(TextureBuilder &builder) {
-    const FloatTexture tex1 = builder.Float("tex1", 0), tex2 = builder.Float("tex2", 1);
-    return Mixed(tex1, tex2, builder.Float("amount", 0.5f));
+    const FloatTexture tex1 = builder.Float(kTex1), tex2 = builder.Float(kTex2);
+    return Mixed(tex1, tex2, builder.Float(kAmount));
 }
 
 SpectrumByRole MixTexture::CreateSpectrum(TextureBuilder &builder) {
-    const SpectrumByRole tex1 = builder.Spectra("tex1", 0), tex2 = builder.Spectra("tex2", 1);
-    return Mixed(tex1, tex2, builder.Float("amount", 0.5f));
+    const SpectrumByRole tex1 = builder.Spectra(kSpectrum1), tex2 = builder.Spectra(kSpectrum2);
+    return Mixed(tex1, tex2, builder.Float(kAmount));
 }
 
 }  // namespace pbrt

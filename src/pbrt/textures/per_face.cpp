@@ -9,6 +9,9 @@
 namespace pbrt {
 namespace {
 
+constexpr StringParam kFileName{"filename", "", "the Ptex file"};
+constexpr FloatParam kScale{"scale", "", 1, -kOpen, kOpen, "factor on the file's values"};
+
 /// Everything both kinds of texture share.
 struct FaceLookup {
     std::shared_ptr<const PtexTexture> file;
@@ -58,17 +61,17 @@ struct SpectrumFaces : SpectrumNode {
 /// The file, from those already read; nullptr after an error.
 std::shared_ptr<const PtexTexture> GetFile(TextureBuilder &builder) {
     ParamDict &params = builder.params;
-    const std::string name = params.GetFileName("filename");
+    const std::string name = params.GetFileName(kFileName);
     if (name.empty()) {
-        params.Error("filename", fmt::format("{} needs \"string filename\", a Ptex file's name",
-                                             params.What()));
+        params.Error(kFileName.name, fmt::format("{} needs \"string filename\", a Ptex file's name",
+                                                 params.What()));
         return nullptr;
     }
     const auto [known, isNew] = builder.named.faceFiles.try_emplace(name);
     if (!isNew) return known->second;
     OrError<PtexData> data = ReadPtex(name);
     if (!data)
-        params.Error("filename", data.error);
+        params.Error(kFileName.name, data.error);
     else
         known->second = std::make_shared<const PtexTexture>(std::move(*data.value));
     return known->second;
@@ -78,7 +81,7 @@ std::optional<FaceLookup> CreateLookup(TextureBuilder &builder) {
     constexpr ColorEncoding kDefault{ColorEncoding::Kind::Gamma, 2.2f};
     FaceLookup lookup;
     lookup.encoding = GetEncoding(builder.params).value_or(kDefault);
-    lookup.scale = builder.params.GetOneFloat("scale", 1);
+    lookup.scale = builder.params.GetOneFloat(kScale);
     lookup.file = GetFile(builder);
     if (!lookup.file) return {};
     builder.named.readFootprints |= !lookup.file->IsFlat();

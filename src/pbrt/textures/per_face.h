@@ -13,8 +13,11 @@ namespace pbrt {
 /// holds the pixel's footprint.
 struct PerFaceTexture {
     static constexpr std::string_view kName = "ptex";
+    static constexpr std::array<std::string_view, 1> kExamples{
+        "\"string filename\" \"example.ptx\""};
     static FloatTexture CreateFloat(TextureBuilder &builder);
     static SpectrumByRole CreateSpectrum(TextureBuilder &builder);
 };
+static_assert(TextureType<PerFaceTexture>);
 
 }  // namespace pbrt

@@ -3,6 +3,12 @@
 namespace pbrt {
 namespace {
 
+constexpr FloatParam kTex{"tex", "", 1, -kOpen, kOpen, "what is multiplied"};
+constexpr SpectrumParam kSpectrum{"tex", SpectrumType::Unbounded, "1", "what is multiplied"};
+constexpr FloatParam kScale{"scale", "", 1, -kOpen, kOpen, "factor"};
+// Spectra do not go below 0, so neither may what scales them.
+constexpr FloatParam kSpectrumScale{"scale", "", 1, 0, kOpen, "factor"};
+
 struct ScaledFloat : FloatNode {
     ScaledFloat(FloatTexture texture, FloatTexture scale)
         : texture(std::move(texture)), scale(std::move(scale)) {}
@@ -42,15 +48,13 @@ SpectrumTexture Scaled(const SpectrumTexture &texture, const FloatTexture &scale
 }
 
 FloatTexture ScaleTexture::CreateFloat(TextureBuilder &builder) {
-    const FloatTexture texture = builder.Float("tex", 1);
-    return Scaled(texture, builder.Float("scale", 1));
+    const FloatTexture texture = builder.Float(kTex);
+    return Scaled(texture, builder.Float(kScale));
 }
 
 SpectrumByRole ScaleTexture::CreateSpectrum(TextureBuilder &builder) {
-    SpectrumByRole texture = builder.Spectra("tex", 1);
-    // Spectra do not go below 0, so neither may what scales them.
-    static constexpr FloatParam kScale{"scale", "", 1, 0, Infinity, "factor"};
-    const FloatTexture scale = GetFloatTexture(builder.params, builder.named, kScale);
+    SpectrumByRole texture = builder.Spectra(kSpectrum);
+    const FloatTexture scale = builder.Float(kSpectrumScale);
     for (std::optional<SpectrumTexture> &t : texture)
         if (t) t = Scaled(*t, scale);
     return texture;

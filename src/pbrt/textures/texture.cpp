@@ -45,13 +45,12 @@ void ReportUnknown(ParamDict &params, const NamedTextures &named, std::string_vi
 template <typename Texture>
 std::optional<Texture> FindNamed(ParamDict &params, const NamedTextures &named,
                                  const std::map<std::string, Texture> &textures,
-                                 std::string_view parameter, bool wantsFloat,
-                                 const Texture &fallback) {
-    const std::optional<std::string> name = params.GetTexture(parameter);
+                                 const ParamRow &row, bool wantsFloat, const Texture &fallback) {
+    const std::optional<std::string> name = params.GetTexture(row);
     if (!name) return std::nullopt;
     const auto found = textures.find(*name);
     if (found != textures.end()) return found->second;
-    ReportUnknown(params, named, parameter, *name, wantsFloat);
+    ReportUnknown(params, named, NameOf(row), *name, wantsFloat);
     return fallback;
 }
 
@@ -65,7 +64,7 @@ bool NamedTextures::AnyReadsUV(const ParsedParameters &params) const {
 
 FloatTexture GetFloatTexture(ParamDict &params, const NamedTextures &named, const FloatParam &row) {
     std::optional<FloatTexture> texture =
-        FindNamed(params, named, named.floats, row.name, true, FloatTexture(row.def));
+        FindNamed(params, named, named.floats, row, true, FloatTexture(row.def));
     if (!texture) return params.GetOneFloat(row);
     if (texture->IsConstant() &&
         !(texture->Constant() >= row.lo && texture->Constant() <= row.hi)) {
@@ -79,49 +78,41 @@ FloatTexture GetFloatTexture(ParamDict &params, const NamedTextures &named, cons
     return *texture;
 }
 
-FloatTexture GetFloatTexture(ParamDict &params, const NamedTextures &named, std::string_view name,
-                             float def) {
-    return FindFloatTexture(params, named, name).value_or(FloatTexture(def));
-}
-
-std::optional<FloatTexture> FindFloatTexture(ParamDict &params, const NamedTextures &named,
-                                             std::string_view name) {
-    std::optional<FloatTexture> texture =
-        FindNamed(params, named, named.floats, name, true, FloatTexture(0.f));
-    if (texture) return texture;
-    const bool given = params.Has(name, "float");
-    const float value = params.GetOneFloat(name, 0);
-    return given ? std::optional<FloatTexture>(value) : std::nullopt;
-}
-
 std::optional<SpectrumTexture> FindSpectrumTexture(ParamDict &params, const NamedTextures &named,
-                                                   std::string_view name, SpectrumType role) {
-    std::optional<SpectrumTexture> texture =
-        FindNamed(params, named, named.Spectra(role), name, false, SpectrumTexture(Spectrum(0.5f)));
+                                                   const SpectrumParam &row) {
+    std::optional<SpectrumTexture> texture = FindNamed(params, named, named.Spectra(row.role), row,
+                                                       false, SpectrumTexture(Spectrum(0.5f)));
     if (texture) return texture;
-    std::optional<Spectrum> value = params.GetOneSpectrum(name, role);
+    std::optional<Spectrum> value = params.GetOneSpectrum(row);
     if (!value) return std::nullopt;
     return SpectrumTexture(std::move(*value));
 }
 
-SpectrumByRole TextureBuilder::Spectra(std::string_view name, float def) {
+SpectrumTexture GetSpectrumTexture(ParamDict &params, const NamedTextures &named,
+                                   const SpectrumParam &row) {
+    std::optional<SpectrumTexture> given = FindSpectrumTexture(params, named, row);
+    return given ? *std::move(given) : SpectrumTexture(DefaultSpectrum(row));
+}
+
+SpectrumByRole TextureBuilder::Spectra(SpectrumParam row) {
     SpectrumByRole made;
-    if (const std::optional<std::string> texture = params.GetTexture(name)) {
+    if (const std::optional<std::string> texture = params.GetTexture(row)) {
         for (SpectrumType role : kSpectrumRoles) {
             const auto &known = named.Spectra(role);
             if (const auto found = known.find(*texture); found != known.end())
                 made[size_t(role)] = found->second;
         }
         if (!made[size_t(SpectrumType::Unbounded)]) {
-            ReportUnknown(params, named, name, *texture, false);
-            made.fill(SpectrumTexture(Spectrum(def)));
+            ReportUnknown(params, named, row.name, *texture, false);
+            made.fill(SpectrumTexture(DefaultSpectrum(row)));
         }
         return made;
     }
-    const std::optional<RGB> rgb = params.GetOneRGB(name);
+    const std::optional<RGB> rgb = params.GetOneRGB(row);
     for (SpectrumType role : kSpectrumRoles) {
         if (role == SpectrumType::Albedo && rgb && rgb->Max() > 1) continue;
-        made[size_t(role)] = params.GetOneSpectrum(name, role).value_or(Spectrum(def));
+        row.role = role;
+        made[size_t(role)] = params.GetOneSpectrum(row).value_or(DefaultSpectrum(row));
     }
     return made;
 }

@@ -6,79 +6,11 @@
 #include <set>
 #include <string>
 
+#include "pbrt/base/texture.h"
 #include "pbrt/scene/description.h"
 #include "pbrt/scene/params.h"
-#include "pbrt/spectra/spectrum.h"
-#include "pbrt/util/vecmath.h"
-#include "pbrt/util/wide.h"
 
 namespace pbrt {
-
-/// Steps of a surface point and of its uv per pixel; 0 where no filtering is wanted.
-template <typename T>
-struct TextureFootprint {
-    Vec3<T> dpdx, dpdy;
-    T dudx{}, dudy{}, dvdx{}, dvdy{};
-};
-inline TextureFootprint<float> Lane(const TextureFootprint<FloatX16> &f, int i) {
-    return {Lane(f.dpdx, i), Lane(f.dpdy, i), f.dudx[i], f.dudy[i], f.dvdx[i], f.dvdy[i]};
-}
-
-/// Where a texture is looked up. `p` in rendering space.
-struct TextureEvalContext : TextureFootprint<float> {
-    Point3f p;
-    Normal3f n;
-    Point2f uv;
-    int faceIndex = 0;  ///< the mesh's face index, else the number of the primitive
-};
-
-/// A texture that is more than a constant; immutable.
-class FloatNode {
-  public:
-    virtual ~FloatNode() = default;
-    virtual float Evaluate(const TextureEvalContext &ctx) const = 0;
-};
-class SpectrumNode {
-  public:
-    virtual ~SpectrumNode() = default;
-    virtual SampledSpectrum Evaluate(const TextureEvalContext &ctx,
-                                     const SampledWavelengths &lambda) const = 0;
-};
-
-/// A constant, or a node. Constants cost no call.
-class FloatTexture {
-  public:
-    FloatTexture() = default;
-    FloatTexture(float value) : value(value) {}
-    FloatTexture(std::shared_ptr<const FloatNode> node) : node(std::move(node)) {}
-    bool IsConstant() const { return !node; }
-    /// Only where IsConstant().
-    float Constant() const { return value; }
-    float Evaluate(const TextureEvalContext &ctx) const {
-        return node ? node->Evaluate(ctx) : value;
-    }
-
-  private:
-    float value = 0;
-    std::shared_ptr<const FloatNode> node;
-};
-
-class SpectrumTexture {
-  public:
-    SpectrumTexture() = default;
-    SpectrumTexture(Spectrum value) : value(std::move(value)) {}
-    SpectrumTexture(std::shared_ptr<const SpectrumNode> node) : node(std::move(node)) {}
-    bool IsConstant() const { return !node; }
-    const Spectrum &Constant() const { return value; }
-    SampledSpectrum Evaluate(const TextureEvalContext &ctx,
-                             const SampledWavelengths &lambda) const {
-        return node ? node->Evaluate(ctx, lambda) : value.Sample(lambda);
-    }
-
-  private:
-    Spectrum value;
-    std::shared_ptr<const SpectrumNode> node;
-};
 
 /// An image texture's pixels; shared between textures that name the same file. In mipmap.h.
 class MIPMap;
@@ -108,24 +40,15 @@ struct NamedTextures {
 /// `renderFromWorld` maps texture space into the space of TextureEvalContext::p.
 NamedTextures BuildTextures(const SceneDescription &scene, const Transform &renderFromWorld,
                             Diagnostics &log);
-std::span<const std::string_view> TextureClassNames();
 
 /// `"texture name"`, or `"float name"`, else the default. A constant outside [row.lo, row.hi] is an
 /// error; looked-up values are not checked here.
 FloatTexture GetFloatTexture(ParamDict &params, const NamedTextures &named, const FloatParam &row);
-/// Without range and with a plain default.
-FloatTexture GetFloatTexture(ParamDict &params, const NamedTextures &named, std::string_view name,
-                             float def);
-/// nullopt where the parameter was not given as float or texture.
-std::optional<FloatTexture> FindFloatTexture(ParamDict &params, const NamedTextures &named,
-                                             std::string_view name);
 /// `"texture name"`, or rgb, spectrum, blackbody; nullopt where not given.
 std::optional<SpectrumTexture> FindSpectrumTexture(ParamDict &params, const NamedTextures &named,
-                                                   std::string_view name, SpectrumType role);
-inline SpectrumTexture GetSpectrumTexture(ParamDict &params, const NamedTextures &named,
-                                          std::string_view name, const Spectrum &def,
-                                          SpectrumType role) {
-    return FindSpectrumTexture(params, named, name, role).value_or(SpectrumTexture(def));
-}
+                                                   const SpectrumParam &row);
+/// The same; the row's default where not given.
+SpectrumTexture GetSpectrumTexture(ParamDict &params, const NamedTextures &named,
+                                   const SpectrumParam &row);
 
 }  // namespace pbrt

@@ -2,15 +2,13 @@
 
 #include <array>
 #include <optional>
+#include <span>
 
 #include "pbrt/textures/texture.h"
 #include "pbrt/util/transform.h"
 
 namespace pbrt {
 
-/// One spectrum texture in its roles, indexed by SpectrumType. Empty where RGB values above 1
-/// forbid the role of albedo.
-using SpectrumByRole = std::array<std::optional<SpectrumTexture>, 3>;
 inline constexpr std::array<SpectrumType, 3> kSpectrumRoles{
     SpectrumType::Albedo, SpectrumType::Unbounded, SpectrumType::Illuminant};
 
@@ -22,19 +20,9 @@ struct TextureBuilder {
     Transform textureFromRender;
     bool readsUV = false;  ///< set where the texture looks at the surface's uv
 
-    FloatTexture Float(std::string_view name, float def) {
-        return GetFloatTexture(params, named, name, def);
-    }
-    /// The parameter in every role; `def` where not given.
-    SpectrumByRole Spectra(std::string_view name, float def);
-};
-
-/// A texture class as the scene language knows it. New classes: a header with a struct of these
-/// three members, and its line in texture_classes.cpp.
-struct TextureClass {
-    std::string_view name;
-    FloatTexture (*createFloat)(TextureBuilder &);
-    SpectrumByRole (*createSpectrum)(TextureBuilder &);
+    FloatTexture Float(const FloatParam &row) { return GetFloatTexture(params, named, row); }
+    /// The parameter in every role (the row's is not looked at); the row's default where not given.
+    SpectrumByRole Spectra(SpectrumParam row);
 };
 
 }  // namespace pbrt

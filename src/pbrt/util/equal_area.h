@@ -38,12 +38,4 @@ inline Vec2<T> EqualAreaSphereToSquare(Vec3<T> d) {
     return {Clamp((u + 1) / 2, 0.f, 1.f), Clamp((v + 1) / 2, 0.f, 1.f)};
 }
 
-/// Where a picture's neighbourhood goes on beyond the square's edges: each edge is glued to itself,
-/// turned about its middle. p in [-1, 2]^2.
-inline Point2f WrapEqualAreaSquare(Point2f p) {
-    if (p.x < 0 || p.x > 1) p = {p.x < 0 ? -p.x : 2 - p.x, 1 - p.y};
-    if (p.y < 0 || p.y > 1) p = {1 - p.x, p.y < 0 ? -p.y : 2 - p.y};
-    return p;
-}
-
 }  // namespace pbrt

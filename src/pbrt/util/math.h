@@ -20,14 +20,6 @@ inline float SafeASin(float x) {
     return std::asin(std::clamp(x, -1.f, 1.f));
 }
 
-/// a b - c d with an error of about 1.5 ulp, where the plain form may cancel (Kahan; Jeannerod,
-/// Louvet, Muller 2013).
-inline float DifferenceOfProducts(float a, float b, float c, float d) {
-    const float cd = c * d;
-    const float error = std::fma(-c, d, cd);
-    return std::fma(a, b, -cd) + error;
-}
-
 template <AnyFloat T>
 struct SinCosT {
     T sin, cos;

@@ -3,38 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pbrt/util/matrix.h"
+
 namespace pbrt {
 namespace {
 
-using Matrix3 = std::array<std::array<double, 3>, 3>;
-
-Matrix3 Product(const Matrix3 &a, const Matrix3 &b) {
-    Matrix3 c{};
-    for (size_t i = 0; i < 3; ++i)
-        for (size_t j = 0; j < 3; ++j)
-            for (size_t k = 0; k < 3; ++k)
-                c[i][j] += a[i][k] * b[k][j];
-    return c;
-}
-Matrix3 Transposed(const Matrix3 &a) {
-    Matrix3 t;
-    for (size_t i = 0; i < 3; ++i)
-        for (size_t j = 0; j < 3; ++j)
-            t[i][j] = a[j][i];
-    return t;
-}
-/// Element (i, j) of the matrix of cofactors; the inverse's transpose times the determinant.
-double Cofactor(const Matrix3 &a, size_t i, size_t j) {
-    const size_t i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-    return a[i1][j1] * a[i2][j2] - a[i1][j2] * a[i2][j1];
-}
-double Determinant(const Matrix3 &a) {
-    return a[0][0] * Cofactor(a, 0, 0) + a[0][1] * Cofactor(a, 0, 1) + a[0][2] * Cofactor(a, 0, 2);
-}
-
 /// Parts of an affine transform; `rotation` is proper, a mirroring is left to `stretch`.
 struct Polar {
-    Matrix3 rotation, stretch;
+    Matrix3d rotation, stretch;
     std::array<double, 3> translation;
     bool mirrors;
 };
@@ -42,7 +18,7 @@ struct Polar {
 /// Newton's iteration R <- (R + R^-T) / 2 ends at the nearest orthogonal matrix.
 std::optional<Polar> Decompose(const Transform &t) {
     Polar p;
-    Matrix3 m;
+    Matrix3d m;
     double size = 0;
     for (size_t i = 0; i < 3; ++i) {
         for (size_t j = 0; j < 3; ++j) {
@@ -52,7 +28,7 @@ std::optional<Polar> Decompose(const Transform &t) {
         p.translation[i] = t.Matrix()[i][3];
     }
     if (!(size > 0)) return {};
-    Matrix3 r = m;
+    Matrix3d r = m;
     for (auto &row : r)
         for (double &v : row)
             v /= size;
@@ -60,7 +36,7 @@ std::optional<Polar> Decompose(const Transform &t) {
         const double det = Determinant(r);
         if (!(std::abs(det) > 1e-30)) return {};
         double change = 0;
-        Matrix3 next;
+        Matrix3d next;
         for (size_t i = 0; i < 3; ++i)
             for (size_t j = 0; j < 3; ++j) {
                 next[i][j] = (r[i][j] + Cofactor(r, i, j) / det) / 2;
@@ -85,7 +61,7 @@ struct AxisAngle {
 };
 
 /// The axis from the matrix's symmetric part, which keeps its digits up to half a turn.
-AxisAngle ToAxisAngle(const Matrix3 &r) {
+AxisAngle ToAxisAngle(const Matrix3d &r) {
     const double cosAngle = std::clamp((r[0][0] + r[1][1] + r[2][2] - 1) / 2, -1., 1.);
     const std::array<double, 3> twist{r[2][1] - r[1][2], r[0][2] - r[2][0], r[1][0] - r[0][1]};
     const double sinAngle = std::hypot(twist[0], twist[1], twist[2]) / 2;
@@ -111,11 +87,11 @@ AxisAngle ToAxisAngle(const Matrix3 &r) {
     return a;
 }
 
-Matrix3 Rotation(const AxisAngle &a, double angle) {
+Matrix3d Rotation(const AxisAngle &a, double angle) {
     const double c = std::cos(angle), s = std::sin(angle);
     const auto &[x, y, z] = a.axis;
-    const Matrix3 cross{{{0, -z, y}, {z, 0, -x}, {-y, x, 0}}};
-    Matrix3 r;
+    const Matrix3d cross{{{0, -z, y}, {z, 0, -x}, {-y, x, 0}}};
+    Matrix3d r;
     for (size_t i = 0; i < 3; ++i)
         for (size_t j = 0; j < 3; ++j)
             r[i][j] = (i == j ? c : 0) + (1 - c) * a.axis[i] * a.axis[j] + s * cross[i][j];
@@ -132,11 +108,11 @@ std::optional<Transform> InterpolateMotion(const Transform &from, const Transfor
     const std::optional<Polar> a = Decompose(from), b = Decompose(to);
     if (!a || !b || a->mirrors != b->mirrors) return {};
     const AxisAngle turn = TurnBetween(*a, *b);
-    Matrix3 stretch;
+    Matrix3d stretch;
     for (size_t i = 0; i < 3; ++i)
         for (size_t j = 0; j < 3; ++j)
             stretch[i][j] = a->stretch[i][j] + t * (b->stretch[i][j] - a->stretch[i][j]);
-    const Matrix3 r = Product(Rotation(turn, t * turn.angle), Product(a->rotation, stretch));
+    const Matrix3d r = Product(Rotation(turn, t * turn.angle), Product(a->rotation, stretch));
     Matrix4 m{};
     for (size_t i = 0; i < 3; ++i) {
         for (size_t j = 0; j < 3; ++j)

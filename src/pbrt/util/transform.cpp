@@ -5,18 +5,6 @@
 namespace pbrt {
 namespace {
 
-Matrix4 Multiply(const Matrix4 &a, const Matrix4 &b) {
-    Matrix4 r{};
-    for (int i = 0; i < 4; ++i)
-        for (int j = 0; j < 4; ++j) {
-            double sum = 0;
-            for (int k = 0; k < 4; ++k)
-                sum += double(a[i][k]) * b[k][j];
-            r[i][j] = float(sum);
-        }
-    return r;
-}
-
 /// Gauss-Jordan elimination with row pivoting, in double.
 std::optional<Matrix4> Inverted(const Matrix4 &m) {
     double a[4][8] = {};
@@ -115,7 +103,7 @@ Transform Transform::Perspective(float fov, float near, float far) {
 }
 
 Transform Transform::operator*(const Transform &b) const {
-    return Transform(Multiply(m, b.m), Multiply(b.mInv, mInv));
+    return Transform(Product(m, b.m), Product(b.mInv, mInv));
 }
 
 bool Transform::SwapsHandedness() const {

@@ -1,14 +1,11 @@
 #pragma once
 
-#include <array>
 #include <optional>
 
+#include "pbrt/util/matrix.h"
 #include "pbrt/util/vecmath.h"
 
 namespace pbrt {
-
-/// 4 x 4 matrix, m[row][column], acting on column vectors.
-using Matrix4 = std::array<std::array<float, 4>, 4>;
 
 /// The upper left part of m, transposed, applied to v: a normal's transform, m being the inverse.
 template <typename M, typename T>
@@ -43,7 +40,6 @@ class Transform {
     Transform Inverse() const { return Transform(mInv, m); }
     Transform operator*(const Transform &b) const;
     bool operator==(const Transform &) const = default;
-    bool IsIdentity() const { return *this == Transform(); }
     /// True where the map turns right-handed frames into left-handed ones.
     bool SwapsHandedness() const;
 

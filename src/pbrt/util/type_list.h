@@ -32,7 +32,7 @@ struct TypeList {
     }
     /// Calls visit.template operator()<T>() for every type, in order.
     template <typename F>
-    static void ForEach(F &&visit) {
+    static constexpr void ForEach(F &&visit) {
         (visit.template operator()<Ts>(), ...);
     }
     /// Whether test.template operator()<T>() holds for every type: for contracts.
@@ -54,9 +54,14 @@ decltype(auto) DispatchFrom(V &variant, F &f) {
 }  // namespace detail
 
 /// f(what the variant holds): the one way to call a member of a family's types. As std::visit, but
-/// inlined where it is called; all f must return the same type.
-template <typename V, typename F>
-decltype(auto) Dispatch(V &variant, F &&f) {
+/// inlined where it is called; all f must return the same type. Also for classes that derive from a
+/// variant.
+template <typename... Ts, typename F>
+decltype(auto) Dispatch(std::variant<Ts...> &variant, F &&f) {
+    return detail::DispatchFrom<0>(variant, f);
+}
+template <typename... Ts, typename F>
+decltype(auto) Dispatch(const std::variant<Ts...> &variant, F &&f) {
     return detail::DispatchFrom<0>(variant, f);
 }
 

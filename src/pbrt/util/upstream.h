@@ -6,7 +6,8 @@
 
 namespace pbrt {
 
-/// A name that pbrt-v4 knows (docs/PBRT_FORMAT.md) and nothing here answers to.
+/// A name that pbrt-v4 knows (docs/PBRT_FORMAT.md) and nothing here answers to, unless a plug-in of
+/// that name has been added since: then the row has no effect and may go.
 struct UpstreamName {
     std::string_view kind;     ///< as in messages; parameters: whose, as in `material "diffuse"`
     std::string_view name;     ///< of options the letters and digits alone

@@ -5,8 +5,6 @@
 #include <limits>
 #include <type_traits>
 
-#include "pbrt/pbrt.h"
-
 namespace pbrt {
 
 inline constexpr float Pi = 3.14159265358979323846f;
@@ -17,9 +15,6 @@ inline constexpr float OneMinusEpsilon = 0x1.fffffep-1f;
 
 inline constexpr float Radians(float deg) {
     return deg * (Pi / 180);
-}
-inline constexpr float Degrees(float rad) {
-    return rad * (180 / Pi);
 }
 template <typename T>
 constexpr T Sqr(T x) {

@@ -3,25 +3,30 @@
 #include "pbrt/build/null_transmission.h"
 #include "pbrt/build/visible_surface.h"
 #include "pbrt/integrators/camera_sample.h"
+#include "pbrt/integrators/path/emission.h"
 #include "pbrt/integrators/path/path_batch.h"
-#include "pbrt/integrators/path/surface_vertices.h"
+#include "pbrt/integrators/path/shade_groups.h"
 #include "pbrt/integrators/tracer.h"
+#include "pbrt/samplers/batch_sampler.h"
 
 namespace pbrt {
 
-/// Traces a batch of paths side by side, one vertex of each at a time: rays are traced in packets,
-/// and what a packet's sixteen paths do alike is done at once. A
-/// path's result depends on its pixel and sample number, and, in its roundings, on the paths of its
-/// batch, which share its packets: so batches have the same borders whatever part of an image is
-/// rendered (render/pieces.h). Large (two megabytes): one for each thread, on the heap.
-template <typename SamplerT, typename Scattering = DefaultScattering>
+/// Traces a batch of paths side by side, one vertex of each at a time: rays are traced in
+/// packets, and what a packet's sixteen paths do alike is done at once. A path's result depends on
+/// its pixel and sample number, and, in its roundings, on the paths of its batch, which share its
+/// packets: so batches have the same borders whatever part of an image is rendered
+/// (render/pieces.h). Large (two megabytes): one for each thread, on the heap.
+template <SamplerType SamplerT>
 class BatchTracer final : public Tracer {
   public:
-    BatchTracer(const RenderScene &scene, const PathSettings &settings, const SamplerT &sampler)
+    BatchTracer(const RenderScene &scene, const PathSettings &settings, const SamplerT &sampler,
+                std::span<const ShadeGroup> groups = ShadeGroups())
         : scene(scene),
           settings(settings),
           sampler(sampler),
-          choosesLights(!settings.lightSampler.OnlyLight()) {
+          choosesLights(!settings.lightSampler.OnlyLight()),
+          groups(groups),
+          lists(1 + groups.size()) {
         for (PathQueue &queue : paths.queues)
             queue.KeepNormals(settings.lightSampler.ReadsNormals());
         for (const Geometry &g : scene.geometries) {
@@ -38,6 +43,7 @@ class BatchTracer final : public Tracer {
         DCHECK(what.Size() <= kBatchSize);
         batch = what;
         rays = &counts;
+        paths.clamped = &counts.clamped;
         StartPaths();
         for (int dimension = kFirstVertexDimension; paths.queue->Size() > 0;
              dimension += VertexNumbers::kDimensions)
@@ -46,7 +52,6 @@ class BatchTracer final : public Tracer {
     }
 
   private:
-    static constexpr size_t kTypes = std::variant_size_v<Material>;
     static constexpr uint32_t kMix = ~0u;  ///< the kind of no path
     static constexpr int kFirstVertexDimension = CameraDimensions::kEnd;
 
@@ -73,7 +78,7 @@ class BatchTracer final : public Tracer {
         if (scene.isAnimated)
             time = jitters ? sampler.Get1D(CameraDimensions::kTime, pixel, k) : half;
         Point2fX16 uLens{half, half};
-        if (scene.camera.HasLens() && jitters)
+        if (HasLens(scene.camera) && jitters)
             uLens = sampler.Get2D(CameraDimensions::kLens, pixel, k);
         Point2fX16 film;
         for (int i = 0; i < kPacketSize; ++i) {
@@ -83,7 +88,7 @@ class BatchTracer final : public Tracer {
             filterWeight[first + uint32_t(i)] = f.weight;
             SetLane(&film, i, {at.x + 0.5f + f.p.x, at.y + 0.5f + f.p.y});
         }
-        const RayPacket packet = scene.camera.GenerateRays(film, uLens, time);
+        const RayPacket packet = GenerateRays(scene.camera, film, uLens, time);
         PathPacket path{};
         path.slot = kLaneNumbers + first;
         path.o = packet.o, path.d = packet.d, path.time = packet.time;
@@ -114,7 +119,7 @@ class BatchTracer final : public Tracer {
         for (size_t kind = 0; kind < lists.size(); ++kind) {
             const PathList &list = lists[kind];
             for (int first = 0; first < list.size; first += kPacketSize)
-                ShadeGroup(kind, &list.at[size_t(first)], std::min(kPacketSize, list.size - first),
+                ShadePaths(kind, &list.at[size_t(first)], std::min(kPacketSize, list.size - first),
                            dimension);
         }
         TraceShadows();
@@ -152,8 +157,8 @@ class BatchTracer final : public Tracer {
         UintX16 kind = met ? Gather(kindOf.data(), geometry) : UintX16{};
         ForEachLane(met & BitsOf(kind == kMix), [&](int i) {
             const Ray ray = packet.At(i);
-            material[i] = uint32_t(scene.MaterialMet(MaterialId(material[i]),
-                                                     scene.SurfaceAt(hits.At(i), ray), ray.d));
+            material[i] = uint32_t(scene.MaterialMet(
+                MaterialId(material[i]), scene.SurfaceAt(hits.At(i), ray), ray.d, paths.clamped));
             kind[i] = MaterialGroup(material[i]);
         });
         Scatter(&paths.material[0], place, material, met);
@@ -166,11 +171,11 @@ class BatchTracer final : public Tracer {
 
     /// Which list paths belong to that meet this material.
     uint32_t MaterialGroup(uint32_t material) const {
-        return uint32_t(1 + 2 * scene.materials[material].index() + scene.uniform[material]);
+        return uint32_t(1 + ShadeGroup::IndexOf(scene.materials.Facts(material)));
     }
 
     /// Paths at the given places of the queue, all of one kind.
-    void ShadeGroup(size_t kind, const uint32_t *from, int count, int dimension) {
+    void ShadePaths(size_t kind, const uint32_t *from, int count, int dimension) {
         const UintX16 at = Select(MaskOf(FirstLanes(count)), LoadWide(from), Broadcast16(from[0]));
         if (kind == 0) {
             if (scene.infiniteLights.empty()) return;
@@ -179,26 +184,10 @@ class BatchTracer final : public Tracer {
         }
         const UintX16 slot = paths.queue->SlotsAt(at);
         const UintX16 pixel = Gather(&paths.pixel[0], slot), k = Gather(&paths.sample[0], slot);
-        VisitGroup(kind - 1, [&]<typename M, bool kUniform>() {
-            const auto numbers =
-                VertexNumbers::Draw(sampler, dimension, pixel, k, {choosesLights, !HasOneLobe<M>});
-            SurfaceVertices<M, kUniform, Scattering>(scene, settings, paths, numbers)
-                .Shade(at, count);
-        });
-    }
-    /// Calls f<M, kUniform>() for the kind 2 * index of M in Material + kUniform.
-    template <typename F, size_t... K>
-    static void VisitGroup(size_t kind, const F &f, std::index_sequence<K...>) {
-        const auto call = [&]<size_t k>() {
-            using M = std::variant_alternative_t<k / 2, Material>;
-            if constexpr (k % 2 == 0 || requires(const M &m) { m.IsUniform(); })
-                f.template operator()<M, k % 2 == 1>();
-        };
-        (void)((kind == K && (call.template operator()<K>(), true)) || ...);
-    }
-    template <typename F>
-    static void VisitGroup(size_t kind, const F &f) {
-        VisitGroup(kind, f, std::make_index_sequence<2 * kTypes>());
+        const ShadeGroup &group = groups[kind - 1];
+        const auto numbers =
+            VertexNumbers::Draw(sampler, dimension, pixel, k, {choosesLights, !group.oneLobe});
+        group.shade(scene, settings, paths, numbers, at, count);
     }
 
     void TraceShadows() {
@@ -241,7 +230,7 @@ class BatchTracer final : public Tracer {
 
     const RenderScene &scene;
     const PathSettings &settings;
-    SamplerT sampler;
+    BatchSampler<SamplerT> sampler;
     std::vector<Point2i> pixels;  ///< of the tile
     const bool choosesLights;
     RayCounts *rays = nullptr;
@@ -254,8 +243,8 @@ class BatchTracer final : public Tracer {
         BatchArray<uint32_t> at;
         int size = 0;
     };
-    /// Rays that left the scene, then by type of material, those that are not uniform first.
-    std::array<PathList, 1 + 2 * kTypes> lists;
+    std::span<const ShadeGroup> groups;
+    std::vector<PathList> lists;     ///< rays that left the scene, then by group
     BatchArray<float> filterWeight;  ///< by slot, as is the next
     BatchArray<std::optional<VisibleSurface>> seen;
 };

@@ -7,13 +7,13 @@ namespace pbrt {
 
 /// The BxDFs of sixteen surfaces: their own, or, with Option "forcediffuse", matt ones that reflect
 /// as much (DiffuseOf).
-template <typename BxDF>
+template <BxDFType BxDF>
 class SurfacePacketBSDF {
   public:
     explicit SurfacePacketBSDF(bool forceDiffuse) : forceDiffuse(forceDiffuse) {}
 
-    void Set(int i, const BxDF &bxdf) { own.Set(i, bxdf); }
-    template <BxDFModel B>
+    void Set(int i, const BxDFPacketInput<BxDF> &input) { own.Set(i, input); }
+    template <BxDFType B>
     void SetDiffuse(int i, const B &bxdf, Vector3f wo) {
         diffuse.Set(i, DiffuseOf(bxdf, wo));
     }

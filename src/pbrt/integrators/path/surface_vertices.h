@@ -1,23 +1,23 @@
 #pragma once
 
-#include "pbrt/bxdfs/feather_packet.h"
 #include "pbrt/integrators/path/emission.h"
 #include "pbrt/integrators/path/path_batch.h"
 #include "pbrt/integrators/path/surface_bsdfs.h"
 #include "pbrt/lights/light_packet.h"
+#include "pbrt/materials/materials.h"
 
 namespace pbrt {
 
-/// BSDFs as their materials make them, or what BxDFPacket makes them of; bench/sampling passes one
-/// of its own, to compare with.
+/// BSDFs as their materials make them; bench/sampling has one of its own, to compare with.
 struct DefaultScattering {
-    template <typename M>
-    static auto At(const M &material, const TextureEvalContext &ctx, SampledWavelengths &lambda) {
-        if constexpr (requires { material.GetSurface(ctx, lambda); })
-            return material.GetSurface(ctx, lambda);
-        else
-            return material.GetBxDF(ctx, lambda);
+    /// What BxDFPacket<BxDFAt<M>> is made of.
+    template <MaterialType M>
+    static auto PacketInputAt(const M &material, const TextureEvalContext &ctx,
+                              SampledWavelengths &lambda) {
+        return pbrt::PacketInputAt(material, ctx, lambda);
     }
+    template <MaterialType M>
+    using BxDF = BxDFOf<M>;
 };
 
 /// One vertex of each of up to sixteen paths that meet surfaces of material type M: light that it
@@ -51,13 +51,13 @@ class SurfaceVertices {
         SurfaceAt();
         AddEmissions();
         const MaskX16 last = std::bit_cast<IntX16>(path.depth) == settings.maxDepth;
-        if (!HasNullTransmissionV<M> || scene.options.forceDiffuse) lanes &= ~BitsOf(last);
+        if (!kTraits.nullTransmission || scene.options.forceDiffuse) lanes &= ~BitsOf(last);
         if (lanes == 0) return;
         SetContexts();
         SetFrames();
         wo = frame.ToLocal(-path.d);
         lanes &= BitsOf(wo.z != 0.f);
-        if constexpr (HasNullTransmissionV<M>) PassLastGaps(lanes & BitsOf(last));
+        if constexpr (kTraits.nullTransmission) PassLastGaps(lanes & BitsOf(last));
         MakeBSDFs();
         if (nonSpecular != 0 && settings.strategy != LightStrategy::BSDFOnly) SampleLights();
         ScatterPaths();
@@ -66,21 +66,18 @@ class SurfaceVertices {
     }
 
   private:
-    using BxDF = decltype(Scattering::At(std::declval<const M &>(),
-                                         std::declval<const TextureEvalContext &>(),
-                                         std::declval<SampledWavelengths &>()));
-    static constexpr bool kIsotropic = requires { M::kIsotropic; };
+    static constexpr const MaterialTraits &kTraits = M::kTraits;
 
     uint32_t Slot(int i) const { return path.slot[i]; }
     const Geometry &GeometryAt(int i) const { return scene.geometries[hits.geometry[i]]; }
     const M &MaterialAt(int i) const {
-        return *std::get_if<M>(&scene.materials[size_t(batch.material[at[i]])]);
+        return *std::get_if<M>(&scene.materials.Data()[batch.material[at[i]]]);
     }
 
     void SurfaceAt() {
         hits = batch.HitsAt(at);
         const RayPacket rays{path.o, path.d, Broadcast16(Infinity), path.time};
-        constexpr bool kWithTangents = !kUniform || TurnsFrame<M>;
+        constexpr bool kWithTangents = !kUniform || kTraits.turnsFrame;
         sp = scene.SurfaceAt<kWithTangents>(hits, rays, lanes);
     }
 
@@ -96,17 +93,17 @@ class SurfaceVertices {
 
     const TextureEvalContext &ContextAt(int i) const { return contexts[kUniform ? 0 : size_t(i)]; }
     void SetContexts() {
-        if constexpr (!kUniform) scene.TextureContexts(sp, lanes, &contexts);
+        if constexpr (!kUniform) scene.TextureContexts(sp, lanes, batch.clamped, &contexts);
     }
 
     void SetFrames() {
-        if constexpr (kIsotropic || (kUniform && !TurnsFrame<M>)) {
+        if constexpr (kTraits.isotropic || (kUniform && !kTraits.turnsFrame)) {
             frame = FrameX16::FromZ(sp.ns);
-        } else if constexpr (IsFibre<M>) {
+        } else if constexpr (kTraits.fibre) {
             frame = sp.FibreFrame(path.d);
         } else {
             frame = sp.ShadingFrame();
-            if constexpr (TurnsFrame<M>) TurnFrames();
+            if constexpr (kTraits.turnsFrame) TurnFrames();
         }
     }
     void TurnFrames() {
@@ -140,7 +137,8 @@ class SurfaceVertices {
                 bsdfs.SetDiffuse(i, MaterialAt(i).GetBxDF(ContextAt(i), batch.lambda[Slot(i)]),
                                  Lane(wo, i));
             else
-                bsdfs.Set(i, Scattering::At(MaterialAt(i), ContextAt(i), batch.lambda[Slot(i)]));
+                bsdfs.Set(i, Scattering::PacketInputAt(MaterialAt(i), ContextAt(i),
+                                                       batch.lambda[Slot(i)]));
             if (settings.regularize && path.anyNonSpecular[i]) bsdfs.Regularize(i);
             const BxDFFlags flags = bsdfs.Flags(i);
             nonSpecular |= LaneBits(IsNonSpecular(flags)) << i;
@@ -251,7 +249,7 @@ class SurfaceVertices {
     std::array<TextureEvalContext, kUniform ? 1 : kPacketSize> contexts;
     FrameX16 frame;
     Vector3fX16 wo;
-    SurfacePacketBSDF<BxDF> bsdfs;
+    SurfacePacketBSDF<typename Scattering::template BxDF<M>> bsdfs;
 };
 
 }  // namespace pbrt

@@ -1,0 +1,77 @@
+#include "pbrt/cameras/cameras.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace pbrt {
+namespace {
+
+constexpr FloatParam kShutterOpen{"shutteropen", "s", 0, -1e30f, 1e30f, "when the shutter opens"};
+constexpr FloatParam kShutterClose{"shutterclose", "s",   1,
+                                   -1e30f,         1e30f, "when the shutter closes"};
+
+/// Sets the spaces. Each directly, for a product of one with the other's inverse, both rounded,
+/// would skew the world against the camera by 1e-8 of its coordinates.
+void PlaceInSpace(CameraPlacement *placement, std::string_view space) {
+    if (space == "camera") {
+        placement->renderFromWorld = placement->cameraFromWorld;
+        return;
+    }
+    const Transform worldFromCamera = placement->cameraFromWorld.Inverse();
+    if (space == "world") {
+        placement->renderFromCamera = worldFromCamera;
+        return;
+    }
+    const Transform fromEye = Transform::Translate(-worldFromCamera.Point({0, 0, 0}));
+    placement->renderFromCamera = fromEye * worldFromCamera;
+    placement->renderFromWorld = fromEye;
+}
+
+void ReadShutter(ParamDict &params, const SceneDescription &scene, CameraPlacement *placement) {
+    placement->shutterOpen = params.GetOneFloat(kShutterOpen);
+    placement->shutterClose = params.GetOneFloat(kShutterClose);
+    if (!(placement->shutterClose > placement->shutterOpen))
+        params.Error(kShutterClose.name, "\"shutterclose\" must be later than \"shutteropen\"");
+    const double start = scene.transformStart, duration = scene.transformEnd - start;
+    const auto rayTime = [&](double t) {
+        return float(std::clamp((t - start) / std::max(duration, 1e-30), -1e30, 1e30));
+    };
+    placement->timeOpen = rayTime(placement->shutterOpen);
+    placement->timeClose = rayTime(placement->shutterClose);
+}
+
+CameraPlacement Place(ParamDict &params, const SceneDescription &scene) {
+    CameraPlacement placement;
+    if (!(scene.cameraFromWorld[0] == scene.cameraFromWorld[1]))
+        params.Error("moving cameras are not supported");
+    placement.cameraFromWorld = scene.cameraFromWorld[0];
+    PlaceInSpace(&placement, scene.options.renderCoordSys);
+    const Vector3f down = Cross(placement.Forward(), placement.Right());
+    placement.downOfFrame = Dot(down, placement.Up()) < 0 ? 1 : -1;
+    ReadShutter(params, scene, &placement);
+    return placement;
+}
+
+}  // namespace
+
+Camera CreateCamera(const SceneDescription &scene, Point2i resolution, Diagnostics &log) {
+    const std::string type =
+        scene.camera.type.empty() ? std::string(PerspectiveCamera::kName) : scene.camera.type;
+    ParamDict params(scene.camera.params, scene.camera.loc, fmt::format("camera \"{}\"", type),
+                     scene.camera.colorSpace, &log, scene.dir);
+    return CreateCamera(type, params, scene, resolution);
+}
+
+Camera CreateCamera(std::string_view type, ParamDict &params, const SceneDescription &scene,
+                    Point2i resolution) {
+    Camera camera;
+    const bool known = CameraTypes::Visit(type, [&]<typename C>() {
+        camera = C::Create(params, {Place(params, scene), resolution});
+        params.ReportUnused();
+    });
+    if (!known) params.Error(UnknownName("camera", type, CameraTypes::kNames));
+    return camera;
+}
+
+}  // namespace pbrt

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "pbrt/scene/param_row.h"
+
+namespace pbrt {
+
+/// What integrators that follow paths have in common.
+inline constexpr IntParam kMaxDepth{"maxdepth", 5, 0, 1 << 20,
+                                    "scattering events of the longest path"};
+
+}  // namespace pbrt

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pbrt/base/material.h"
+
+namespace pbrt {
+
+class Material;  // one of the types listed in materials.h
+
+/// What there is to know of a material without its type.
+struct MaterialFacts {
+    uint8_t type;           ///< place in MaterialTypes
+    bool isUniform;         ///< the same at every point; see MaterialTraits::canBeUniform
+    bool nullTransmission;  ///< see MaterialTraits::nullTransmission
+};
+
+/// The materials of a scene that scatter, numbered from 0.
+class MaterialSet {
+  public:
+    MaterialSet();
+    MaterialSet(MaterialSet &&) noexcept;
+    MaterialSet &operator=(MaterialSet &&) noexcept;
+    ~MaterialSet();
+
+    void Reserve(size_t count);
+    /// The number of the added material.
+    int Add(Material material);
+    size_t Size() const { return facts.size(); }
+    const MaterialFacts &Facts(size_t i) const { return facts[i]; }
+    /// All of them, one after another; use needs materials.h.
+    const Material *Data() const { return materials.data(); }
+    /// See MaterialTraits::laidByUV; empty where nothing is.
+    std::string_view LaidByUV(size_t i) const;
+    /// What each material noticed while rendering, one sentence for each that did.
+    std::vector<std::string> Warnings(const ClampCounts &counts) const;
+
+  private:
+    std::vector<Material> materials;
+    std::vector<MaterialFacts> facts;
+};
+
+}  // namespace pbrt

@@ -1,0 +1,1 @@
+// The source of the target pbrt_precompiled, whose headers (CMakeLists.txt) all rooms share.
