@@ -10,6 +10,7 @@
 
 #include "bench/rays/ray_kinds.h"
 #include "bench/stopwatch.h"
+#include "pbrt/accel/embree_scene.h"
 #include "pbrt/accel/query.h"
 #include "pbrt/build/build_scene.h"
 #include "pbrt/scene/parser.h"
@@ -76,7 +77,7 @@ void Compare(const RenderScene &world, int rounds) {
     std::vector<RTCRayHit> bare;
     for (const Ray &ray : rays)
         bare.push_back(ToEmbree(ray));
-    const auto scene = static_cast<RTCScene>(accel.EmbreeScene());
+    const auto scene = EmbreeSceneOf(accel).scene;
     const int n = int(rays.size());
     Stopwatch watch;
     watch.Add("rtcIntersect1 alone", n, [&] { return TraceBare(bare, rays, scene); });

@@ -58,9 +58,7 @@ inline void AddSurface(Stopwatch &watch, const std::string &name, Rng &rng,
         for (int i = 0; i < kPacketSize; ++i) {
             const size_t which = rng.Below(uint32_t(work->shapes.size()));
             met.shape[size_t(i)] = &work->shapes[which];
-            met.hit.primitive.Set(
-                i, rng.Below(uint32_t(std::visit([](const auto &s) { return s.NPrimitives(); },
-                                                 work->shapes[which]))));
+            met.hit.primitive.Set(i, rng.Below(uint32_t(NPrimitives(work->shapes[which]))));
             met.hit.geometry.Set(i, uint32_t(which)), met.hit.instance.Set(i, ~0u);
             met.hit.u.Set(i, 0.5f * rng.Uniform()), met.hit.v.Set(i, 0.5f * rng.Uniform());
             met.hit.t.Set(i, rng.Uniform());

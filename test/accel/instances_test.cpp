@@ -1,8 +1,8 @@
 // An instance looks like a copy made where it stands.
 
 #include "accel/trace.h"
-#include "pbrt/shapes/create.h"
 #include "pbrt/shapes/instanced.h"
+#include "pbrt/shapes/place_mesh.h"
 
 namespace pbrt {
 namespace {

@@ -1,7 +1,7 @@
 // A lane of a packet meets what a single ray meets.
 
 #include "accel/trace.h"
-#include "pbrt/shapes/create.h"
+#include "pbrt/shapes/place_mesh.h"
 
 namespace pbrt {
 namespace {

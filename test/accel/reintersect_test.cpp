@@ -1,7 +1,7 @@
 // A ray that leaves a surface point through OffsetOrigin never meets that primitive again.
 
 #include "accel/trace.h"
-#include "pbrt/shapes/create.h"
+#include "pbrt/shapes/place_mesh.h"
 
 namespace pbrt {
 namespace {

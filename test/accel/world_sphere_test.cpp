@@ -2,7 +2,7 @@
 
 #include "pbrt/accel/world_sphere.h"
 #include "accel/trace.h"
-#include "pbrt/shapes/intersect.h"
+#include "pbrt/accel/object_from_render.h"
 
 namespace pbrt {
 namespace {
@@ -75,8 +75,8 @@ TEST(Balls, AreMetWhereSpheresAreMet) {
                 Hit single;
                 const bool hit = accel.Intersect(ray, &single);
                 const auto expected =
-                    IntersectQuadric(sphere, RayD{toObject.Point(ToDouble(ray.o)),
-                                                  toObject.Vector(ToDouble(ray.d)), 0, ray.tMax});
+                    sphere.Intersect(0, RayD{toObject.Point(ToDouble(ray.o)),
+                                             toObject.Vector(ToDouble(ray.d)), 0, ray.tMax});
                 EXPECT_EQ(hit, lanes >> i & 1);
                 EXPECT_EQ(accel.Occluded(ray), hit);
                 if (hit != expected.has_value()) {
@@ -91,10 +91,10 @@ TEST(Balls, AreMetWhereSpheresAreMet) {
                 // Rounded to float once; before that the ways differ by roundings of the transform
                 // in double, and by more where the ray grazes.
                 const Vector3d d = ToDouble(ray.d), c = ToDouble(ball->center);
-                const Vector3d n = ToDouble(ray.o) - c + *expected * d;
+                const Vector3d n = ToDouble(ray.o) - c + expected->t * d;
                 const double perStep = std::abs(Dot(n, d)) / Length(n);
                 const double size = Length(c) + ball->radius + Length(ToDouble(ray.o) - c);
-                EXPECT_NEAR(single.t, *expected, 6e-8 * *expected + 1e-15 * size / perStep);
+                EXPECT_NEAR(single.t, expected->t, 6e-8 * expected->t + 1e-15 * size / perStep);
             }
         }
     }

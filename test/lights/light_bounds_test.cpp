@@ -55,31 +55,31 @@ LightBounds Patch(Point3f p, Vector3f n, float power = 1) {
 
 TEST(LightBounds, AreImportantWhereTheyShine) {
     const LightBounds b = Patch({0, 0, 1}, {0, 0, -1});
-    EXPECT_GT(b.Importance({0, 0, 0}, {0, 0, 1}), 0);
-    EXPECT_EQ(b.Importance({0, 0, 2}, {0, 0, 1}), 0);
-    EXPECT_EQ(b.Importance({3, 0, 1.5f}, {}), 0);
+    EXPECT_GT(Importance(b, {0, 0, 0}, {0, 0, 1}), 0);
+    EXPECT_EQ(Importance(b, {0, 0, 2}, {0, 0, 1}), 0);
+    EXPECT_EQ(Importance(b, {3, 0, 1.5f}, {}), 0);
     LightBounds both = b;
     both.twoSided = true;
-    EXPECT_GT(both.Importance({0, 0, 2}, {0, 0, -1}), 0);
+    EXPECT_GT(Importance(both, {0, 0, 2}, {0, 0, -1}), 0);
     // From behind the receiver.
-    EXPECT_EQ(both.Importance({0, 0, 2}, {0, 0, 1}), 0);
-    EXPECT_GT(both.Importance({0, 0, 2}, {}), 0);
+    EXPECT_EQ(Importance(both, {0, 0, 2}, {0, 0, 1}), 0);
+    EXPECT_GT(Importance(both, {0, 0, 2}, {}), 0);
 }
 
 TEST(LightBounds, GrazingLightCountsLess) {
     const LightBounds b = Patch({0, 0, 1}, {0, 0, -1});
     const Point3f below{0, 0, 0}, aside{std::sin(1.4f), 0, 1 - std::cos(1.4f)};
-    EXPECT_LT(b.Importance(aside, {}), 0.2f * b.Importance(below, {}));
+    EXPECT_LT(Importance(b, aside, {}), 0.2f * Importance(b, below, {}));
     // And at the receiver.
-    EXPECT_LT(b.Importance(below, Normalize(Vector3f{1, 0, 0.1f})),
-              0.2f * b.Importance(below, {0, 0, 1}));
+    EXPECT_LT(Importance(b, below, Normalize(Vector3f{1, 0, 0.1f})),
+              0.2f * Importance(b, below, {0, 0, 1}));
 }
 
 TEST(LightBounds, FallOffByInverseSquareAndGrowWithPower) {
     const LightBounds b = Patch({0, 0, 0}, {0, 0, 1});
-    EXPECT_NEAR(b.Importance({0, 0, 2}, {}) / b.Importance({0, 0, 6}, {}), 9, 1e-4);
+    EXPECT_NEAR(Importance(b, {0, 0, 2}, {}) / Importance(b, {0, 0, 6}, {}), 9, 1e-4);
     EXPECT_NEAR(
-        Patch({0, 0, 0}, {0, 0, 1}, 5).Importance({0, 0, 2}, {}) / b.Importance({0, 0, 2}, {}), 5,
+        Importance(Patch({0, 0, 0}, {0, 0, 1}, 5), {0, 0, 2}, {}) / Importance(b, {0, 0, 2}, {}), 5,
         1e-4);
 }
 
@@ -105,7 +105,7 @@ TEST(LightBounds, BoundWhatTheirPartsSend) {
                                       std::max(0.f, Dot(n, d)) / LengthSquared(d);
                 const float radius = Length(all.bounds.Diagonal()) / 2;
                 const float d2 = std::max(DistanceSquared(p, all.bounds.Center()), Sqr(radius));
-                EXPECT_GE(all.Importance(p, n) * d2 * 1.001f, cosines);
+                EXPECT_GE(Importance(all, p, n) * d2 * 1.001f, cosines);
             }
         }
     }

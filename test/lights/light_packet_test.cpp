@@ -2,10 +2,9 @@
 
 #include "pbrt/lights/light_packet.h"
 
-#include "lights/light_scene.h"
+#include "lights/light_cases.h"
 #include "pbrt/util/rng.h"
 #include "pbrt/util/sampling.h"
-#include "support/temp_folder.h"
 
 namespace pbrt::test {
 namespace {
@@ -43,6 +42,10 @@ class Lights {
             "LightSource \"point\" \"point3 from\" [1 2 3]\n"
             "LightSource \"distant\"\nLightSource \"infinite\"");
         lights.insert(lights.end(), points.lights.begin(), points.lights.end());
+        for (LightCase &c : AllCases()) {
+            lights.push_back(c.light);
+            cases.push_back(std::move(c));
+        }
         Rng rng(1);
         for (int n : {3, 40}) {
             auto light = ImageInfiniteLight::FromImage(
@@ -62,6 +65,7 @@ class Lights {
         lights.insert(lights.end(), scenes.back()->lights.begin(), scenes.back()->lights.end());
     }
     std::vector<std::unique_ptr<AreaScene>> scenes;
+    std::vector<LightCase> cases;
     std::vector<Light> lights;
 };
 
@@ -121,6 +125,41 @@ TEST(LightPacket, EachLaneAsAlone) {
         });
     }
     EXPECT_GT(lit, 10000);
+}
+
+TEST(LightPacket, SixteenRaysLeaveAsEachAlone) {
+    const Lights lights;
+    Rng rng(4);
+    int same = 0, all = 0;
+    for (size_t k = 0; k < lights.Size(); ++k) {
+        if (!Traits(lights[k]).isInfinite) continue;
+        for (int round = 0; round < 200; ++round) {
+            Vector3fX16 d;
+            WavelengthPacket lambda;
+            std::vector<SampledWavelengths> wavelengths;
+            for (int i = 0; i < kPacketSize; ++i) {
+                SetLane(&d, i, (0.1f + rng.Uniform()) * SampleUniformSphere(rng.Uniform2D()));
+                wavelengths.push_back(SampledWavelengths::SampleVisible(rng.Uniform()));
+            }
+            for (size_t i = 0; i < kPacketSize; ++i)
+                lambda[i] = &wavelengths[i];
+            const LaneBits active = round % 2 ? kAllLanes : rng.Next32() & kAllLanes;
+            LightLePacket le;
+            Le(lights[k], d, lambda, active, &le);
+            ForEachLane(active, [&](int i) {
+                const SampledSpectrum L =
+                    Le(lights[k], Ray{{}, Lane(d, i)}, wavelengths[size_t(i)]);
+                const float pdf = PDF_Li(lights[k], Lane(d, i));
+                ++all;
+                bool equal = std::abs(le.pdf[i] - pdf) <= 1e-5f * pdf;
+                for (int s = 0; s < NSpectrumSamples; ++s)
+                    equal &= std::abs(le.L[size_t(i)][s] - L[s]) <= 1e-5f * L[s];
+                same += equal;
+            });
+        }
+    }
+    // On a texel's border rounding decides.
+    EXPECT_GE(same, 0.999 * all);
 }
 
 TEST(LightPacket, DensitiesOfSkies) {

@@ -188,7 +188,7 @@ TEST(LightTree, SixteenClustersAreWhatEachIsAlone) {
         const LightSampleContext ctx = RandomReceivers(rng, 5).At(0);
         const FloatX16 importance = Importance(all, Receiver(ctx.p, ctx.ns));
         for (int i = 0; i < kPacketSize; ++i) {
-            const float one = lights[first + size_t(i)].Importance(ctx.p, ctx.ns);
+            const float one = Importance(lights[first + size_t(i)], ctx.p, ctx.ns);
             // The fast root's error of 2^-14 counts four times, next to the margins of 1e-4 in the
             // cosines more.
             EXPECT_NEAR(importance[i], one, 0.01f * one + 1e-6f * lights[first + size_t(i)].power);

@@ -125,9 +125,9 @@ TEST(UniformInfiniteLight, GivesItsIlluminance) {
     const LightScene s("LightSource \"infinite\" \"float illuminance\" 5 \"spectrum L\" " + kFlat);
     const SampledSpectrum L = Le(s.Only(), {{0, 0, 0}, {0, 0, 1}}, kLambda);
     EXPECT_NEAR(Pi * L[1] * kLuminance, 5, 1e-3);
-    EXPECT_TRUE(IsInfinite(s.Only()));
+    EXPECT_TRUE(Traits(s.Only()).isInfinite);
     EXPECT_FALSE(SampleLi(s.Only(), {}, {0.5f, 0.5f}, kLambda));
-    EXPECT_EQ(PDF_Li(s.Only(), {}, {0, 0, 1}), 0);
+    EXPECT_EQ(PDF_Li(s.Only(), {0, 0, 1}), 0);
 }
 
 }  // namespace

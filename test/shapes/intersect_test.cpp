@@ -1,10 +1,9 @@
 // The double-precision intersections against oracles.
 
-#include "pbrt/shapes/intersect.h"
-
 #include <gtest/gtest.h>
 
-#include "pbrt/shapes/surface.h"
+#include "pbrt/shapes/patch_intersection.h"
+#include "pbrt/shapes/shapes.h"
 #include "pbrt/util/rng.h"
 #include "pbrt/util/sampling.h"
 
@@ -16,6 +15,12 @@ Vector3d RandomVector(Rng &rng, double r = 1) {
     return r * Vector3d{2 * x - 1, 2 * y - 1, 2 * z - 1};
 }
 constexpr double kFar = 1e30;
+
+template <typename Q>
+std::optional<double> IntersectQuadric(const Q &quadric, const RayD &ray) {
+    const auto hit = quadric.Intersect(0, ray);
+    return hit ? std::optional(hit->t) : std::nullopt;
+}
 
 /// Roots of |o + t d| = r in long double, directly.
 struct LongRoots {

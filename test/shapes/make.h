@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "pbrt/shapes/shape.h"
+#include "pbrt/shapes/shapes.h"
 #include "scene/parse.h"
 
 namespace pbrt {

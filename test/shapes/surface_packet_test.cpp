@@ -6,7 +6,7 @@
 
 #include "pbrt/util/rng.h"
 #include "pbrt/util/sampling.h"
-#include "shapes/make.h"
+#include "shapes/shape_cases.h"
 
 namespace pbrt {
 namespace {
@@ -70,6 +70,8 @@ std::vector<Shape> SomeShapes(Rng &rng) {
         shapes.push_back(Triangles(rng, attributes));
         shapes.push_back(FlatPatches(rng, attributes));
     }
+    for (ShapeCase &c : AllCases())
+        shapes.push_back(std::move(c.shape));
     for (const char *text :
          {R"(Shape "sphere" "float radius" 2)",
           R"(Translate 3 4 50 Rotate 40 1 2 3 Scale 1 -2 0.1
@@ -88,8 +90,7 @@ void RandomHit(Rng &rng, const Shape &shape, int lane, PacketHits *met) {
     if (std::holds_alternative<TriangleMesh>(shape) && uv.x + uv.y > 1) uv = {1 - uv.x, 1 - uv.y};
     const uint32_t primitive = rng.Below(uint32_t(NPrimitives(shape)));
     std::optional<ShapeSample> on;  // curves cannot be sampled
-    if (!std::holds_alternative<CurveSet>(shape))
-        on = SampleArea(shape, primitive, rng.Uniform2D());
+    if (CanEmit(shape)) on = SampleArea(shape, primitive, rng.Uniform2D());
     const Point3f p = on ? on->p : Point3f{}, from = p + 5.f * Direction(rng);
     met->shape[size_t(lane)] = &shape;
     met->hit.t.Set(lane, 1), met->hit.u.Set(lane, uv.x), met->hit.v.Set(lane, uv.y);
@@ -127,9 +128,7 @@ template <bool kWithTangents>
 void Check(const PacketHits &met, LaneBits active) {
     const SurfaceInteractionX16 s = SurfacePacket<kWithTangents>(met, active);
     ForEachLane(active, [&](int i) {
-        const Hit hit{met.hit.t[i], met.hit.u[i], met.hit.v[i], 0, met.hit.primitive[i]};
-        ExpectSame(Lane(s, i),
-                   SurfaceAt(*met.shape[size_t(i)], hit, {Lane(met.o, i), Lane(met.d, i)}),
+        ExpectSame(Lane(s, i), SurfaceAt(*met.shape[size_t(i)], met.hit.At(i), met.RayAt(i)),
                    kWithTangents);
     });
 }

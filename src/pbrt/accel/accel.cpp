@@ -25,16 +25,14 @@ bool NoteMemory(void *user, ssize_t bytes, bool) {
     return true;
 }
 
-const Transform *QuadricTransform(const Shape &shape) {
-    if (const auto *sphere = std::get_if<Sphere>(&shape)) return &sphere->renderFromObject;
-    if (const auto *disk = std::get_if<Disk>(&shape)) return &disk->renderFromObject;
-    if (const auto *cylinder = std::get_if<Cylinder>(&shape)) return &cylinder->renderFromObject;
-    return nullptr;
-}
-
-bool IsUserGeometry(const Shape &shape) {
-    if (const auto *patches = std::get_if<BilinearMesh>(&shape)) return !patches->planar;
-    return QuadricTransform(shape);
+/// Null for shapes in rendering space.
+const Transform *ObjectSpace(const Shape &shape) {
+    return Dispatch(shape, []<typename S>(const S &s) -> const Transform * {
+        if constexpr (S::kTraits.hasObjectSpace)
+            return &s.renderFromObject;
+        else
+            return nullptr;
+    });
 }
 
 bool IsInvisible(const Geometry &g) {
@@ -84,43 +82,6 @@ void ReturnFreeMemory() {
 #ifdef __GLIBC__
     malloc_trim(0);
 #endif
-}
-
-/// Shares the points with Embree, which reads 16 bytes for each; a copy where the vector does not
-/// own the 4 bytes behind the last one.
-void SetPoints(RTCGeometry geometry, const std::vector<Point3f> &p) {
-    if (p.capacity() > p.size()) {
-        rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, p.data(),
-                                   0, sizeof(Point3f), p.size());
-        return;
-    }
-    void *const copy = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
-                                               RTC_FORMAT_FLOAT3, sizeof(Point3f), p.size());
-    if (copy) std::copy(p.begin(), p.end(), static_cast<Point3f *>(copy));
-}
-
-RTCGeometry NewTriangles(RTCDevice device, const TriangleMesh &mesh) {
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                               mesh.indices.data(), 0, 3 * sizeof(uint32_t), mesh.NPrimitives());
-    SetPoints(geometry, mesh.p);
-    return geometry;
-}
-
-/// Embree counts a quad's corners round the edge, 00 10 11 01.
-RTCGeometry NewQuads(RTCDevice device, const BilinearMesh &mesh) {
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_QUAD);
-    SetPoints(geometry, mesh.p);
-    auto *const corners = static_cast<uint32_t *>(
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT4,
-                                4 * sizeof(uint32_t), mesh.NPrimitives()));
-    for (size_t i = 0; corners && i < mesh.indices.size(); i += 4) {
-        corners[i] = mesh.indices[i];
-        corners[i + 1] = mesh.indices[i + 1];
-        corners[i + 2] = mesh.indices[i + 3];
-        corners[i + 3] = mesh.indices[i + 2];
-    }
-    return geometry;
 }
 
 }  // namespace
@@ -182,7 +143,7 @@ void Accel::Impl::BuildScenes() {
 
 void Accel::Impl::Count(uint32_t first, uint32_t last) {
     for (uint32_t i = first; i < last; ++i)
-        (IsUserGeometry(geometries[i].shape) ? nUser : nOther) += NPrimitives(geometries[i].shape);
+        (IsNative(geometries[i].shape) ? nOther : nUser) += NPrimitives(geometries[i].shape);
 }
 
 void Accel::Impl::Attach(RTCScene target, RTCGeometry geometry, uint32_t id) {
@@ -193,49 +154,29 @@ void Accel::Impl::Attach(RTCScene target, RTCGeometry geometry, uint32_t id) {
     rtcReleaseGeometry(geometry);
 }
 
-RTCGeometry Accel::Impl::NewGeometry(const GeometryRecord &record) {
-    const Shape &shape = record.geometry->shape;
-    RTCGeometry geometry;
-    if (const auto *triangles = std::get_if<TriangleMesh>(&shape)) {
-        geometry = NewTriangles(device, *triangles);
-    } else if (const auto *set = std::get_if<CurveSet>(&shape)) {
-        curves.push_back({record, CurveChords(*set)});
-        memory.Add(int64_t(curves.back().chords.Bytes()));
-        return NewCurves(device, &curves.back());
-    } else {
-        if (IsUserGeometry(shape)) return NewBentPatches(device, &record);
-        geometry = NewQuads(device, *std::get_if<BilinearMesh>(&shape));
-    }
-    rtcSetGeometryUserData(geometry, const_cast<GeometryRecord *>(&record));
-    if (record.hasAlpha) rtcSetGeometryIntersectFilterFunction(geometry, FilterIntersection);
-    if (record.hasAlpha || record.geometry->hasNullTransmission)
-        rtcSetGeometryOccludedFilterFunction(geometry, FilterOcclusion);
-    return geometry;
-}
-
 /// Medium build quality: high splits triangles in space and would call filters twice for one.
 /// Robust, for a tenth to a quarter of the time: without it a closed mesh of a million triangles
 /// lets 1e-6 of all rays out, and 1e-4 where it is 1000 times its size from the origin.
-RTCScene Accel::Impl::NewScene(uint32_t first, uint32_t last, uint32_t quadricsId) {
+RTCScene Accel::Impl::NewScene(uint32_t first, uint32_t last, uint32_t placedId) {
     RTCScene s = rtcNewScene(device);
     if (!s) return failure.Note(RTC_ERROR_UNKNOWN, "a scene could not be made"), nullptr;
     rtcSetSceneBuildQuality(s, RTC_BUILD_QUALITY_MEDIUM);
     rtcSetSceneFlags(s, RTC_SCENE_FLAG_ROBUST);
-    QuadricSet set;
+    PlacedSet set;
     set.reserve(size_t(std::count_if(geometries.begin() + first, geometries.begin() + last,
-                                     [](const Geometry &g) { return QuadricTransform(g.shape); })));
+                                     [](const Geometry &g) { return ObjectSpace(g.shape); })));
     for (uint32_t i = first; i < last && !Failed(); ++i) {
         GeometryRecord &record = records[i];
         record.local = i - first;
         if (IsInvisible(*record.geometry)) continue;
-        if (const Transform *const placed = QuadricTransform(record.geometry->shape))
-            set.emplace_back(record, *placed);
+        if (const Transform *const renderFromObject = ObjectSpace(record.geometry->shape))
+            set.emplace_back(record, *renderFromObject);
         else
             Attach(s, NewGeometry(record), record.local);
     }
     if (!set.empty()) {
-        quadrics.push_back(std::move(set));
-        Attach(s, NewQuadrics(device, &quadrics.back()), quadricsId);
+        placed.push_back(std::move(set));
+        Attach(s, NewPlaced(device, &placed.back()), placedId);
     }
     return s;
 }
@@ -256,7 +197,7 @@ Accel::Accel(std::span<const Geometry> geometries, uint32_t nTop,
              int nThreads)
     : impl(std::make_unique<Impl>(geometries, nTop, objects, instances)) {
     for (const Geometry &g : geometries)
-        hasGaps |= g.hasNullTransmission && !IsInvisible(g);
+        hasNullTransmission |= g.hasNullTransmission && !IsInvisible(g);
     impl->Build(nThreads);
 }
 
@@ -280,10 +221,6 @@ size_t Accel::MemoryBytes() const {
 
 size_t Accel::PeakMemoryBytes() const {
     return size_t(impl->memory.most);
-}
-
-void *Accel::EmbreeScene() const {
-    return impl->scene;
 }
 
 }  // namespace pbrt

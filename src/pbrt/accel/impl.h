@@ -8,6 +8,7 @@
 
 #include "pbrt/accel/accel.h"
 #include "pbrt/accel/curve_chords.h"
+#include "pbrt/accel/native.h"
 #include "pbrt/accel/user_geometry.h"
 
 namespace pbrt {
@@ -44,7 +45,7 @@ struct Accel::Impl {
     RTCScene scene = nullptr;
     std::vector<RTCScene> objectScenes;
     std::vector<GeometryRecord> records;  ///< one a geometry
-    std::deque<QuadricSet> quadrics;      ///< one a scene that has some
+    std::deque<PlacedSet> placed;         ///< one a scene that has some
     std::deque<CurveRecord> curves;       ///< one a set of curves
     MemoryUse memory;                     ///< of Embree and of `curves`
     EmbreeFailure failure;
@@ -68,8 +69,11 @@ struct Accel::Impl {
     bool IntersectsSingly() const { return nUser > 1000; }
     bool OccludesSingly() const { return nUser > 3000; }
     /// Null where it fails.
-    RTCScene NewScene(uint32_t first, uint32_t last, uint32_t quadricsId);
+    RTCScene NewScene(uint32_t first, uint32_t last, uint32_t placedId);
     RTCGeometry NewGeometry(const GeometryRecord &record);
+    RTCGeometry NewNative(const GeometryRecord &record, const TriangleMesh &mesh);
+    RTCGeometry NewNative(const GeometryRecord &record, const BilinearMesh &mesh);
+    RTCGeometry NewNative(const GeometryRecord &record, const CurveSet &set);
     void AttachInstance(uint32_t index);
     void Attach(RTCScene target, RTCGeometry geometry, uint32_t id);
 };

@@ -2,7 +2,7 @@
 
 #include "pbrt/accel/accel.h"
 #include "pbrt/accel/embree_api.h"
-#include "pbrt/accel/packet.h"
+#include "pbrt/base/hit.h"
 
 namespace pbrt {
 

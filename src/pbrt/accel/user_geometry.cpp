@@ -5,51 +5,42 @@
 namespace pbrt {
 namespace {
 
-struct UserHit {
-    double t;
-    float u, v;
-};
-
 /// A primitive of either kind: its record and its crossings.
-struct QuadricPrimitive {
-    const QuadricRecord &quadric;
+struct PlacedPrimitive {
+    const PlacedRecord &placed;
 
-    QuadricPrimitive(const void *set, unsigned i)
-        : quadric((*static_cast<const QuadricSet *>(set))[i]) {}
-    const GeometryRecord &Record() const { return quadric.common; }
+    PlacedPrimitive(const void *set, unsigned i)
+        : placed((*static_cast<const PlacedSet *>(set))[i]) {}
+    const GeometryRecord &Record() const { return placed.common; }
     uint32_t Index(unsigned) const { return 0; }
     RayD ToObject(const Ray &ray) const {
-        return {quadric.objectFromRender->Point(ToDouble(ray.o)),
-                quadric.objectFromRender->Vector(ToDouble(ray.d)), 0, ray.tMax};
+        return {placed.objectFromRender->Point(ToDouble(ray.o)),
+                placed.objectFromRender->Vector(ToDouble(ray.d)), 0, ray.tMax};
     }
-    std::optional<UserHit> Intersect(const RayD &ray) const {
-        const Shape &shape = quadric.common.geometry->shape;
-        std::optional<double> t;
-        if (const auto *s = std::get_if<Sphere>(&shape))
-            t = IntersectQuadric(*s, ray);
-        else if (const auto *c = std::get_if<Cylinder>(&shape))
-            t = IntersectQuadric(*c, ray);
-        else
-            t = IntersectQuadric(*std::get_if<Disk>(&shape), ray);
-        if (!t) return {};
-        return UserHit{*t, 0, 0};
+    std::optional<PrimitiveHit> Intersect(const RayD &ray) const {
+        return Dispatch(placed.common.geometry->shape,
+                        [&]<typename S>(const S &s) -> std::optional<PrimitiveHit> {
+                            if constexpr (S::kTraits.hasObjectSpace) return s.Intersect(0, ray);
+                            return {};
+                        });
     }
 };
 
-struct PatchPrimitive {
+template <typename S>
+struct MeshPrimitive {
     const GeometryRecord &record;
-    Patch patch;
+    const S &shape;
+    uint32_t index;
 
-    PatchPrimitive(const void *user, unsigned i)
+    MeshPrimitive(const void *user, unsigned i)
         : record(*static_cast<const GeometryRecord *>(user)),
-          patch(GetPatch(*std::get_if<BilinearMesh>(&record.geometry->shape), i)) {}
+          shape(*std::get_if<S>(&record.geometry->shape)),
+          index(i) {}
     const GeometryRecord &Record() const { return record; }
     uint32_t Index(unsigned primitive) const { return primitive; }
     RayD ToObject(const Ray &ray) const { return {ToDouble(ray.o), ToDouble(ray.d), 0, ray.tMax}; }
-    std::optional<UserHit> Intersect(const RayD &ray) const {
-        const auto hit = IntersectPatch(patch, ray);
-        if (!hit) return {};
-        return UserHit{hit->t, float(hit->u), float(hit->v)};
+    std::optional<PrimitiveHit> Intersect(const RayD &ray) const {
+        return shape.Intersect(index, ray);
     }
 };
 
@@ -66,9 +57,10 @@ std::optional<Hit> FirstKept(const Primitive &primitive, uint32_t index, const R
                              const EmbreeContext &context, F keep) {
     RayD local = primitive.ToObject(ray);
     for (int crossing = 0;; ++crossing) {
-        const std::optional<UserHit> met = primitive.Intersect(local);
+        const std::optional<PrimitiveHit> met = primitive.Intersect(local);
         if (!met) return {};
-        const Hit hit = primitive.Record().ToHit(float(met->t), met->u, met->v, index, context);
+        const Hit hit =
+            primitive.Record().ToHit(float(met->t), float(met->u), float(met->v), index, context);
         if (keep(hit, crossing)) return hit;
         local.tMin = met->t;
     }
@@ -119,22 +111,22 @@ void OccludedUser(const RTCOccludedFunctionNArguments *args) {
     }
 }
 
-void IntersectQuadrics(const RTCIntersectFunctionNArguments *args) {
-    const QuadricRecord &quadric = QuadricPrimitive(args->geometryUserPtr, args->primID).quadric;
-    if (quadric.ball)
-        IntersectBall(*quadric.ball, quadric.common.local, args);
+void IntersectPlaced(const RTCIntersectFunctionNArguments *args) {
+    const PlacedRecord &placed = PlacedPrimitive(args->geometryUserPtr, args->primID).placed;
+    if (placed.ball)
+        IntersectBall(*placed.ball, placed.common.local, args);
     else
-        IntersectUser<QuadricPrimitive>(args);
+        IntersectUser<PlacedPrimitive>(args);
 }
 
-void OccludedQuadrics(const RTCOccludedFunctionNArguments *args) {
-    const QuadricRecord &quadric = QuadricPrimitive(args->geometryUserPtr, args->primID).quadric;
+void OccludedPlaced(const RTCOccludedFunctionNArguments *args) {
+    const PlacedRecord &placed = PlacedPrimitive(args->geometryUserPtr, args->primID).placed;
     const bool mayPass =
-        quadric.common.geometry->hasNullTransmission && QueryContext::Of(args->context).gaps;
-    if (quadric.ball && !mayPass)
-        OccludedBall(*quadric.ball, args);
+        placed.common.geometry->hasNullTransmission && QueryContext::Of(args->context).gaps;
+    if (placed.ball && !mayPass)
+        OccludedBall(*placed.ball, args);
     else
-        OccludedUser<QuadricPrimitive>(args);
+        OccludedUser<PlacedPrimitive>(args);
 }
 
 void SetBounds(const Bounds3f &b, RTCBounds *out) {
@@ -142,22 +134,20 @@ void SetBounds(const Bounds3f &b, RTCBounds *out) {
     out->upper_x = b.max.x, out->upper_y = b.max.y, out->upper_z = b.max.z;
 }
 
-void QuadricBounds(const RTCBoundsFunctionArguments *args) {
-    const auto &set = *static_cast<const QuadricSet *>(args->geometryUserPtr);
+void PlacedBounds(const RTCBoundsFunctionArguments *args) {
+    const auto &set = *static_cast<const PlacedSet *>(args->geometryUserPtr);
     SetBounds(Bounds(set[args->primID].common.geometry->shape), args->bounds_o);
 }
 
-void PatchBounds(const RTCBoundsFunctionArguments *args) {
-    const Patch q = PatchPrimitive(args->geometryUserPtr, args->primID).patch;
-    Bounds3f b;
-    for (const Point3f &p : {q.p00, q.p10, q.p01, q.p11})
-        b.Grow(p);
-    SetBounds(b, args->bounds_o);
+template <typename S>
+void MeshBounds(const RTCBoundsFunctionArguments *args) {
+    const MeshPrimitive<S> primitive(args->geometryUserPtr, args->primID);
+    SetBounds(primitive.shape.PrimitiveBounds(primitive.index), args->bounds_o);
 }
 
-RTCGeometry NewUserGeometry(RTCDevice device, const void *user, size_t count,
-                            RTCBoundsFunction bounds, RTCIntersectFunctionN intersect,
-                            RTCOccludedFunctionN occluded) {
+RTCGeometry NewByCallbacks(RTCDevice device, const void *user, size_t count,
+                           RTCBoundsFunction bounds, RTCIntersectFunctionN intersect,
+                           RTCOccludedFunctionN occluded) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
     rtcSetGeometryUserPrimitiveCount(geometry, unsigned(count));
     rtcSetGeometryUserData(geometry, const_cast<void *>(user));
@@ -169,21 +159,24 @@ RTCGeometry NewUserGeometry(RTCDevice device, const void *user, size_t count,
 
 }  // namespace
 
-QuadricRecord::QuadricRecord(const GeometryRecord &record, const Transform &renderFromObject)
+PlacedRecord::PlacedRecord(const GeometryRecord &record, const Transform &renderFromObject)
     : common(record),
       ball(record.hasAlpha ? std::nullopt : WorldSphere::Of(record.geometry->shape)) {
     if (!ball || record.geometry->hasNullTransmission)
         objectFromRender = std::make_unique<ObjectFromRender>(renderFromObject);
 }
 
-RTCGeometry NewQuadrics(RTCDevice device, const QuadricSet *quadrics) {
-    return NewUserGeometry(device, quadrics, quadrics->size(), QuadricBounds, IntersectQuadrics,
-                           OccludedQuadrics);
+RTCGeometry NewPlaced(RTCDevice device, const PlacedSet *set) {
+    return NewByCallbacks(device, set, set->size(), PlacedBounds, IntersectPlaced, OccludedPlaced);
 }
 
-RTCGeometry NewBentPatches(RTCDevice device, const GeometryRecord *record) {
-    return NewUserGeometry(device, record, NPrimitives(record->geometry->shape), PatchBounds,
-                           IntersectUser<PatchPrimitive>, OccludedUser<PatchPrimitive>);
+RTCGeometry NewUserGeometry(RTCDevice device, const GeometryRecord *record) {
+    return Dispatch(record->geometry->shape, [&]<typename S>(const S &shape) -> RTCGeometry {
+        if constexpr (S::kTraits.intersectsItself && !S::kTraits.hasObjectSpace)
+            return NewByCallbacks(device, record, shape.NPrimitives(), MeshBounds<S>,
+                                  IntersectUser<MeshPrimitive<S>>, OccludedUser<MeshPrimitive<S>>);
+        return nullptr;
+    });
 }
 
 }  // namespace pbrt

@@ -1,32 +1,34 @@
 #pragma once
 
-#include <deque>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "pbrt/accel/object_from_render.h"
 #include "pbrt/accel/query.h"
 #include "pbrt/accel/world_sphere.h"
-#include "pbrt/shapes/intersect.h"
 
 namespace pbrt {
 
-/// One sphere, disk or cylinder in a scene's set of them.
-struct QuadricRecord {
+/// One shape with an object space in a scene's set of them.
+struct PlacedRecord {
     GeometryRecord common;
     std::optional<WorldSphere> ball;  ///< where it is one and without alpha
     /// What a ball that lets no light through does not need.
     std::unique_ptr<const ObjectFromRender> objectFromRender;
 
-    QuadricRecord(const GeometryRecord &record, const Transform &renderFromObject);
+    PlacedRecord(const GeometryRecord &record, const Transform &renderFromObject);
 };
 
-/// All quadrics of one Embree scene: one geometry, however many there are. Hits carry the
-/// quadric's own geometry ID.
-using QuadricSet = std::vector<QuadricRecord>;
+/// All such shapes of one Embree scene: one geometry, however many there are. Hits carry the
+/// shape's own geometry ID.
+using PlacedSet = std::vector<PlacedRecord>;
 
 /// Makes the Embree geometry; the set must stay where it is.
-RTCGeometry NewQuadrics(RTCDevice device, const QuadricSet *quadrics);
-/// For meshes whose patches are not flat; the record must stay where it is.
-RTCGeometry NewBentPatches(RTCDevice device, const GeometryRecord *record);
+RTCGeometry NewPlaced(RTCDevice device, const PlacedSet *set);
+
+/// For the primitives of one self-intersecting shape in rendering space; the record must stay where
+/// it is.
+RTCGeometry NewUserGeometry(RTCDevice device, const GeometryRecord *record);
 
 }  // namespace pbrt

@@ -4,6 +4,7 @@
 
 #include "pbrt/build/build_shapes.h"
 #include "pbrt/build/instance_range.h"
+#include "pbrt/shapes/parallelogram.h"
 
 namespace pbrt {
 namespace {
@@ -38,7 +39,7 @@ void ReadSampling(const SceneDescription &description, const SceneOverrides &ove
 
 /// Two triangles that make a parallelogram, as one patch: one light is chosen and sampled better
 /// than two. Not where `power` is given, which is each triangle's (PBRT_FORMAT 2.10).
-std::optional<Shape> MergedEmitter(const Geometry &geometry, ParamDict &params) {
+std::optional<BilinearMesh> MergedEmitter(const Geometry &geometry, ParamDict &params) {
     const auto *mesh = std::get_if<TriangleMesh>(&geometry.shape);
     if (!mesh || params.Has(kLightPower) || !geometry.alpha.IsConstant()) return {};
     return AsParallelogram(*mesh);
@@ -56,7 +57,7 @@ void BuildLights(const SceneDescription &description, const std::vector<Emissive
         Geometry &geometry = scene.geometries[emitter.geometry];
         ParamDict params =
             Params(*emitter.areaLight, "area light", emitter.areaLight->type, description, log);
-        const std::optional<Shape> merged = MergedEmitter(geometry, params);
+        const std::optional<BilinearMesh> merged = MergedEmitter(geometry, params);
         if (merged) scene.emitterShapes.push_back(*merged);
         geometry.sharedLight = merged.has_value();
         std::vector<Light> made =
@@ -71,7 +72,7 @@ void BuildLights(const SceneDescription &description, const std::vector<Emissive
     if (bounds.Empty()) bounds = {{-1, -1, -1}, {1, 1, 1}};
     for (size_t i = 0; i < scene.lights.size(); ++i) {
         Preprocess(scene.lights[i], bounds);
-        if (IsInfinite(scene.lights[i])) scene.infiniteLights.push_back(int(i));
+        if (Traits(scene.lights[i]).isInfinite) scene.infiniteLights.push_back(int(i));
     }
 }
 

@@ -9,10 +9,10 @@
 namespace pbrt {
 namespace {
 
-/// Bytes that Embree and RenderScene::instances take for one that rests: 704 MiB were measured for
-/// 2^20 of them.
+/// Bytes that the ray tracer and RenderScene::instances take for one that rests: 704 MiB were
+/// measured for 2^20 of them.
 constexpr double kBytesPerInstance = 700;
-/// Geometries and instances share Embree's 32 bits.
+/// Geometries and instances share numbers of 32 bits.
 constexpr double kMostIds = 4e9;
 constexpr FloatParam kAlpha{"alpha", "", 1,
                             0,       1,  "coverage of the surface: below 1 is a random cut-out"};

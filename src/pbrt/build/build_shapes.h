@@ -35,8 +35,8 @@ struct BuiltShapes {
     std::vector<FileLoc> instances;  ///< places of RenderScene::instances, one each
 };
 /// Fills RenderScene::geometries (those of the top level first), objects and instances; nested
-/// instances are flattened, since Embree nests them one deep only. Takes the shapes out of the
-/// description.
+/// instances are flattened, since the ray tracer nests them one deep only. Takes the shapes out of
+/// the description.
 BuiltShapes BuildShapes(SceneDescription &description, const NamedTextures &textures,
                         const MaterialTable &materials, RenderScene &scene, Diagnostics &log);
 

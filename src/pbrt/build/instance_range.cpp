@@ -11,7 +11,7 @@ namespace {
 /// A margin of 8 to where floats have all their digits, of 30 to where they end.
 constexpr double kSmallestDeterminant = 1e-37, kLargestDeterminant = 1e37;
 /// Least share of the sizes of a determinant's terms that it comes to. Four roundings of 6e-8 of
-/// them then make Embree's inverse, and so the instance's size, wrong by 2.4 %.
+/// them then make the ray tracer's inverse, and so the instance's size, wrong by 2.4 %.
 constexpr double kFlattest = 1e-5;
 
 double Determinant(const Matrix4 &m) {

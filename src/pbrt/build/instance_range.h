@@ -8,13 +8,14 @@
 
 namespace pbrt {
 
-/// Why Embree could not place the instance of an object of these bounds, or nothing. Embree inverts
-/// an instance's matrix in float by its determinant, which must not over- or underflow, cancel or,
-/// in motion, vanish between two keys.
+/// Why the ray tracer could not place the instance of an object of these bounds, or nothing. It
+/// inverts an instance's matrix in float by its determinant, which must not over- or underflow,
+/// cancel or, in motion, vanish between two keys.
 std::optional<std::string> WhyNotPlaced(const Instance &instance, const Bounds3f &object);
 
-/// Reports the first instance in whose own space a ray of the scene would leave Embree's range. The
-/// RenderScene is complete but has not been traced; `places`: of its instances in the scene.
+/// Reports the first instance in whose own space a ray of the scene would leave the ray tracer's
+/// range. The RenderScene is complete but has not been traced; `places`: of its instances in the
+/// scene.
 void CheckRaysInInstances(const RenderScene &scene, std::span<const FileLoc> places,
                           Diagnostics &log);
 

@@ -6,7 +6,7 @@
 namespace pbrt {
 namespace {
 
-/// Of a moving instance: linear between the key times, entry by entry, as Embree isAnimated it.
+/// Of a moving instance: linear between the key times, entry by entry, as the ray tracer moves it.
 Transform At(const Instance &instance, float time) {
     const size_t nSteps = instance.NKeys() - 1;
     const float at = time * float(nSteps);
@@ -45,7 +45,7 @@ SurfaceInteraction RenderScene::SurfaceAt(const Hit &hit, const Ray &ray) const 
 template <bool kWithTangents>
 SurfaceInteractionX16 RenderScene::SurfaceAt(const HitPacket &hits, const RayPacket &rays,
                                              LaneBits lanes) const {
-    PacketHits met{{}, hits, rays.o, rays.d};
+    PacketHits met{{hits, rays.o, rays.d}, {}};
     LaneBits placed = 0;
     ForEachLane(lanes, [&](int i) {
         met.shape[size_t(i)] = &geometries[hits.geometry[i]].shape;

@@ -5,20 +5,6 @@ namespace {
 
 constexpr BoolParam kTwoSided{"twosided", false, "both sides of the surface emit"};
 
-Bounds3f PrimitiveBounds(const Shape &shape, uint32_t primitive) {
-    Bounds3f bounds;
-    if (const auto *mesh = std::get_if<TriangleMesh>(&shape)) {
-        for (size_t i = 0; i < 3; ++i)
-            bounds.Grow(mesh->p[mesh->indices[3 * size_t(primitive) + i]]);
-    } else if (const auto *patches = std::get_if<BilinearMesh>(&shape)) {
-        for (size_t i = 0; i < 4; ++i)
-            bounds.Grow(patches->p[patches->indices[4 * size_t(primitive) + i]]);
-    } else {
-        bounds = Bounds(shape);
-    }
-    return bounds;
-}
-
 }  // namespace
 
 std::vector<DiffuseAreaLight> DiffuseAreaLight::Create(ParamDict &params, const Shape &shape,

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <bit>
+#include <optional>
+#include <vector>
+
+#include "pbrt/base/light.h"
 #include "pbrt/lights/emission.h"
-#include "pbrt/lights/light.h"
-#include "pbrt/lights/light_bounds.h"
 #include "pbrt/shapes/rectangle.h"
-#include "pbrt/shapes/shape.h"
+#include "pbrt/shapes/shapes.h"
 #include "pbrt/textures/texture.h"
 
 namespace pbrt {
@@ -13,6 +16,10 @@ namespace pbrt {
 /// both sides) into every direction, less the shape's alpha.
 struct DiffuseAreaLight {
     static constexpr std::string_view kName = "diffuse";
+    static constexpr LightTraits kTraits{.isArea = true, .isWide = true};
+    static constexpr std::array<std::string_view, 4> kExamples{
+        "", R"("bool twosided" true "rgb L" [ 3 2 1 ])", R"("float scale" 3)",
+        R"("float power" 9)"};
     /// What the primitives of one shape share.
     struct Surface {
         Spectrum radiance;
@@ -43,15 +50,27 @@ struct DiffuseAreaLight {
         return LightLiSample{s.radiance.Sample(lambda) * strength, d * (1 / std::sqrt(d2)), at->pdf,
                              at->p + at->n * (cosine > 0 ? off : -off), s.invisible};
     }
-    /// Density of SampleLi for the direction wi from ref, which meets the surface at p.
-    float PDF(Point3f ref, Vector3f wi, Point3f p, Normal3f n) const {
+    float PDF_Hit(Point3f ref, Point3f p, Normal3f n) const {
         if (surface->rectangle) return surface->rectangle->PDFFrom(ref, p);
-        return PDFFrom(*surface->shape, primitive, ref, wi, p, n);
+        return PDFFrom(*surface->shape, primitive, ref, p, n);
     }
-    /// Radiance that leaves a point seen with normal n into direction w.
-    SampledSpectrum L(Normal3f n, Vector3f w, const SampledWavelengths &lambda) const {
+    SampledSpectrum L(Point3f, Normal3f n, Point2f, Vector3f w,
+                      const SampledWavelengths &lambda) const {
         if (!surface->twoSided && !(Dot(n, w) > 0)) return SampledSpectrum(0.f);
         return surface->radiance.Sample(lambda) * scale;
+    }
+    /// Rectangles; two are as fast one by one.
+    static LaneBits SampleLi(const LightsOf<DiffuseAreaLight> &lights,
+                             const LightSampleContextX16 &ctx, const Point2fX16 &u,
+                             const WavelengthPacket &lambda, LaneBits lanes,
+                             LightLiSamples *samples) {
+        LaneBits rectangles = 0;
+        ForEachLane(lanes, [&](int i) {
+            rectangles |= LaneBits(lights[size_t(i)]->IsOpaqueRectangle()) << i;
+        });
+        if (std::popcount(rectangles) <= 2) return 0;
+        SampleRectangles(lights, ctx, u, lambda, rectangles, samples);
+        return rectangles;
     }
     float Power() const;
     std::optional<LightBounds> Bounds() const;
@@ -61,6 +80,15 @@ struct DiffuseAreaLight {
     float scale = 1;
 
   private:
+    /// Rectangles that let no light through, in the given lanes, one at least.
+    static void SampleRectangles(const LightsOf<DiffuseAreaLight> &light,
+                                 const LightSampleContextX16 &ctx, const Point2fX16 &u,
+                                 const WavelengthPacket &lambda, LaneBits lanes,
+                                 LightLiSamples *samples);
+    bool IsOpaqueRectangle() const {
+        const FloatTexture &alpha = surface->alpha;
+        return surface->rectangle && alpha.IsConstant() && alpha.Constant() == 1;
+    }
     std::optional<ShapeSample> SamplePoint(Point3f ref, Point2f u) const {
         if (!surface->rectangle) return SampleFrom(*surface->shape, primitive, ref, u);
         const Rectangle &r = *surface->rectangle;
@@ -69,5 +97,37 @@ struct DiffuseAreaLight {
     }
     float Opacity(const ShapeSample &at) const;
 };
+
+inline void DiffuseAreaLight::SampleRectangles(const LightsOf<DiffuseAreaLight> &light,
+                                               const LightSampleContextX16 &ctx,
+                                               const Point2fX16 &u, const WavelengthPacket &lambda,
+                                               LaneBits lanes, LightLiSamples *samples) {
+    std::array<const Rectangle *, kPacketSize> rectangle;
+    LaneBits twoSided = 0, invisible = 0;
+    for (size_t i = 0; i < kPacketSize; ++i) {
+        const size_t from = lanes >> i & 1 ? i : size_t(std::countr_zero(lanes));
+        const DiffuseAreaLight::Surface &s = *light[from]->surface;
+        rectangle[i] = &*s.rectangle;
+        twoSided |= LaneBits(s.twoSided) << i;
+        invisible |= LaneBits(s.invisible) << i;
+    }
+    const auto r = RectangleT<FloatX16>::Of(rectangle);
+    const auto at = r.SampleFrom(ctx.p, u);
+    const Vector3fX16 d = at.p - ctx.p;
+    const FloatX16 d2 = LengthSquared(d), cosine = -Dot(r.Normal(), d);
+    const LaneBits lit = lanes & BitsOf((at.pdf > 0) & (d2 > 0)) & (BitsOf(cosine > 0) | twoSided);
+    const MaskX16 mask = MaskOf(lit);
+    const FloatX16 off = Dot(Abs(r.Normal()), r.Error());
+    samples->wi = Select(mask, d * (1 / Sqrt(d2)), samples->wi);
+    samples->pdf = Select(mask, at.pdf, samples->pdf);
+    samples->pLight =
+        Select(mask, at.p + r.Normal() * Select(cosine > 0, off, -off), samples->pLight);
+    samples->delta |= lit & invisible;
+    ForEachLane(lit, [&](int i) {
+        const DiffuseAreaLight &l = *light[size_t(i)];
+        samples->L[size_t(i)] = l.surface->radiance.Sample(*lambda[size_t(i)]) * l.scale;
+        samples->valid |= LaneBits(l.scale != 0) << i;
+    });
+}
 
 }  // namespace pbrt

@@ -1,8 +1,7 @@
 #pragma once
 
+#include "pbrt/base/light.h"
 #include "pbrt/lights/emission.h"
-#include "pbrt/lights/light.h"
-#include "pbrt/lights/light_bounds.h"
 #include "pbrt/util/transform.h"
 
 namespace pbrt {
@@ -10,6 +9,9 @@ namespace pbrt {
 /// Parallel light; L is the irradiance on a surface across it.
 struct DistantLight {
     static constexpr std::string_view kName = "distant";
+    static constexpr LightTraits kTraits{.isDelta = true, .readsSceneRadius = true};
+    static constexpr std::array<std::string_view, 2> kExamples{
+        "", R"("point3 from" [ 0 1 8 ] "float illuminance" 12)"};
     static DistantLight Create(ParamDict &params, const Transform &renderFromLight);
 
     void Preprocess(float radius) { sceneRadius = radius; }

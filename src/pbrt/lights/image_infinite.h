@@ -1,11 +1,11 @@
 #pragma once
 
+#include <bit>
 #include <vector>
 
+#include "pbrt/base/light.h"
 #include "pbrt/image/image.h"
 #include "pbrt/lights/emission.h"
-#include "pbrt/lights/light.h"
-#include "pbrt/lights/light_bounds.h"
 #include "pbrt/util/equal_area.h"
 #include "pbrt/util/piecewise_constant.h"
 #include "pbrt/util/transform.h"
@@ -20,6 +20,16 @@ namespace pbrt {
 /// BSDF sampling.
 struct ImageInfiniteLight {
     static constexpr std::string_view kName = "infinite";
+    static constexpr LightTraits kTraits{
+        .isInfinite = true, .readsSceneRadius = true, .isWide = true, .isWideSeen = true};
+    static constexpr std::array<std::string_view, 2> kExamples{
+        R"("string filename" "example.exr")",
+        R"("string filename" "example.exr" "float illuminance" 40)"};
+    static constexpr StringParam kFileName{
+        "filename", "", "square picture of all directions, equal-area octahedral"};
+    /// `filename` must be given.
+    static std::optional<ImageInfiniteLight> Create(ParamDict &params,
+                                                    const Transform &renderFromLight);
     /// `scale` multiplies radiance. The picture has channels R, G, B, as many rows as columns,
     /// finite values (below 0 counts as 0).
     static ImageInfiniteLight FromImage(const Image &image, const RGBColorSpace &colorSpace,
@@ -38,22 +48,21 @@ struct ImageInfiniteLight {
         if (!(pdf > 0) || !L) return std::nullopt;
         return LightLiSample{L, wi, pdf, ctx.p + (2 * sceneRadius) * wi, false};
     }
-    /// The same in the given lanes.
-    void SampleLi(const LightSampleContextX16 &ctx, const Point2fX16 &u,
-                  const std::array<const SampledWavelengths *, kPacketSize> &lambda, LaneBits lanes,
-                  LightLiSamples *samples) const {
-        const PiecewiseConstant2D::PointSampleX16 s = sky->directions.Sample(u);
-        const auto [wi, pdf] = Leave(s.p, s.pdf);
-        const MaskX16 mask = MaskOf(lanes);
-        samples->wi = Select(mask, wi, samples->wi);
-        samples->pdf = Select(mask, pdf, samples->pdf);
-        samples->pLight = Select(mask, ctx.p + (2 * sceneRadius) * wi, samples->pLight);
-        ForEachLane(lanes & BitsOf(pdf > 0), [&](int i) {
-            const SampledSpectrum L =
-                Radiance({int(s.column[i]), int(s.row[i])}, *lambda[size_t(i)]);
-            samples->L[size_t(i)] = L;
-            samples->valid |= LaneBits(bool(L)) << i;
-        });
+    /// Lanes that share a light are sampled together; two are as fast one by one.
+    static LaneBits SampleLi(const LightsOf<ImageInfiniteLight> &lights,
+                             const LightSampleContextX16 &ctx, const Point2fX16 &u,
+                             const WavelengthPacket &lambda, LaneBits lanes,
+                             LightLiSamples *samples) {
+        LaneBits done = 0, left = lanes;
+        while (std::popcount(left) > 2) {
+            const ImageInfiniteLight *const light = lights[size_t(std::countr_zero(left))];
+            LaneBits same = 0;
+            ForEachLane(left, [&](int i) { same |= LaneBits(lights[size_t(i)] == light) << i; });
+            light->SampleLiOfOne(ctx, u, lambda, same, samples);
+            done |= same;
+            left &= ~same;
+        }
+        return done;
     }
     /// What the picture has in a direction. T: float or FloatX16.
     template <typename T>
@@ -79,6 +88,14 @@ struct ImageInfiniteLight {
     SampledSpectrum RadianceAt(Point2f p, const SampledWavelengths &lambda) const {
         const int n = sky->resolution;
         return Radiance({detail::StepAt(p.x, n), detail::StepAt(p.y, n)}, lambda);
+    }
+    void Le(const Vector3fX16 &d, const WavelengthPacket &lambda, LaneBits lanes,
+            LightLePacket *le) const {
+        const Place<FloatX16> place = Along(d);
+        le->pdf = place.pdf;
+        ForEachLane(lanes, [&](int i) {
+            le->L[size_t(i)] = RadianceAt(Lane(place.p, i), *lambda[size_t(i)]);
+        });
     }
     float Power() const { return 4 * Sqr(Pi * sceneRadius) * sky->meanLuminance; }
     std::optional<LightBounds> Bounds() const { return std::nullopt; }
@@ -118,6 +135,25 @@ struct ImageInfiniteLight {
 
     std::shared_ptr<const Sky> sky;
     float sceneRadius = 1;
+
+  private:
+    /// SampleLi in the given lanes.
+    void SampleLiOfOne(const LightSampleContextX16 &ctx, const Point2fX16 &u,
+                       const WavelengthPacket &lambda, LaneBits lanes,
+                       LightLiSamples *samples) const {
+        const PiecewiseConstant2D::PointSampleX16 s = sky->directions.Sample(u);
+        const auto [wi, pdf] = Leave(s.p, s.pdf);
+        const MaskX16 mask = MaskOf(lanes);
+        samples->wi = Select(mask, wi, samples->wi);
+        samples->pdf = Select(mask, pdf, samples->pdf);
+        samples->pLight = Select(mask, ctx.p + (2 * sceneRadius) * wi, samples->pLight);
+        ForEachLane(lanes & BitsOf(pdf > 0), [&](int i) {
+            const SampledSpectrum L =
+                Radiance({int(s.column[i]), int(s.row[i])}, *lambda[size_t(i)]);
+            samples->L[size_t(i)] = L;
+            samples->valid |= LaneBits(bool(L)) << i;
+        });
+    }
 };
 
 }  // namespace pbrt

@@ -64,8 +64,8 @@ ClusterOf<float> Cluster(const LightBounds &b) {
             b.cosTheta_e, b.twoSided ? -b.power : b.power};
 }
 
-float LightBounds::Importance(Point3f p, Normal3f n) const {
-    return pbrt::Importance(Cluster(*this), Receiver(p, n));
+float Importance(const LightBounds &light, Point3f p, Normal3f n) {
+    return Importance(Cluster(light), Receiver(p, n));
 }
 
 }  // namespace pbrt

@@ -1,30 +1,12 @@
 #pragma once
 
-#include "pbrt/util/vecmath_simd.h"
+#include "pbrt/base/light.h"
 
 namespace pbrt {
 
-/// Cone of directions about a unit axis; cosTheta 1: the axis alone, -1: all directions.
-struct DirectionCone {
-    Vector3f axis{0, 0, 1};
-    float cosTheta = -1;
-};
 /// Smallest cone with a common plane that holds both.
 DirectionCone Union(const DirectionCone &a, const DirectionCone &b);
 
-/// Where a light (or several) stands, where to it shines and how much, after Conty Estevez and
-/// Kulla 2018, "Importance Sampling of Many Lights with Adaptive Tree Splitting".
-struct LightBounds {
-    Bounds3f bounds;
-    DirectionCone normals;  ///< of all emitters
-    float cosTheta_e = 0;   ///< cosine of how far off its normal each emitter shines
-    float power = 0;
-    bool twoSided = false;
-
-    /// Estimate of the light that arrives at p, never 0 where some does. `n`: the receiver's
-    /// normal on the side where it takes light, 0 where it takes light from all sides.
-    float Importance(Point3f p, Normal3f n) const;
-};
 /// Bounds of both; empty ones (power 0) take no part.
 LightBounds Union(const LightBounds &a, const LightBounds &b);
 
@@ -75,5 +57,9 @@ T Importance(const ClusterOf<T> &c, const Receiver &to) {
         Abs(c.signedPower) * Clamp(cosEmitter, kMargin, 1.f) * cosReceiver * (invD * invD);
     return Select(cosEmitter > c.cosTheta_e - kMargin, Min(lit, 1e30f), 0.f);
 }
+
+/// Estimate of the light that arrives at p, never 0 where some does. `n`: the receiver's normal on
+/// the side where it takes light, 0 where it takes light from all sides.
+float Importance(const LightBounds &light, Point3f p, Normal3f n);
 
 }  // namespace pbrt

@@ -7,7 +7,7 @@ LightSampler LightSampler::Create(std::string_view name, std::span<const Light> 
     std::vector<int> sampled;
     s.slots.assign(lights.size(), kNever);
     for (size_t i = 0; i < lights.size(); ++i) {
-        if (std::holds_alternative<UniformInfiniteLight>(lights[i])) continue;
+        if (Traits(lights[i]).neverSampled) continue;
         sampled.push_back(int(i));
         s.slots[i] = kUnbounded;
     }

@@ -14,7 +14,8 @@ namespace pbrt {
 
 inline constexpr std::array<std::string_view, 3> kLightSamplerNames{"bvh", "power", "uniform"};
 
-/// Chooses the light that a path vertex samples. Uniform infinite lights are never chosen.
+/// Chooses the light that a path vertex samples. Lights that are neverSampled are never
+/// chosen.
 ///   uniform  each alike
 ///   power    by Power()
 ///   bvh      bounded lights by a tree of importance at the receiver; each of n infinite ones with

@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "pbrt/lights/light.h"
 #include "pbrt/lights/light_bounds.h"
 
 namespace pbrt {

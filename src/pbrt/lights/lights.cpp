@@ -2,16 +2,24 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "pbrt/lights/from_to.h"
-#include "pbrt/lights/infinite.h"
 #include "pbrt/util/range.h"
 
 namespace pbrt {
 namespace {
 
-constexpr std::array<std::string_view, 4> kNames{PointLight::kName, SpotLight::kName,
-                                                 DistantLight::kName, UniformInfiniteLight::kName};
-constexpr std::array<std::string_view, 1> kAreaNames{DiffuseAreaLight::kName};
+/// Names of the lights that are (or are not) area lights, as the list has them.
+std::vector<std::string_view> NamesOf(bool area) {
+    std::vector<std::string_view> names;
+    LightTypes::ForEach([&]<typename L>() {
+        if (L::kTraits.isArea == area &&
+            std::find(names.begin(), names.end(), L::kName) == names.end())
+            names.push_back(L::kName);
+    });
+    return names;
+}
 
 /// True if directions keep lengths to normalise by on their way to the light and back.
 bool KeepsDirections(const Transform &t) {
@@ -21,29 +29,50 @@ bool KeepsDirections(const Transform &t) {
     return true;
 }
 
+// What a Create may return.
+
+template <LightType L>
+std::optional<Light> AsLight(const L &made) {
+    return Light(made);
+}
+template <typename... L>
+std::optional<Light> AsLight(const std::variant<L...> &made) {
+    return Dispatch(made, [](const auto &light) { return AsLight(light); });
+}
+template <typename Made>
+std::optional<Light> AsLight(const std::optional<Made> &made) {
+    return made ? AsLight(*made) : std::nullopt;
+}
+
+/// Of the first type of that name; nullopt after an error.
 std::optional<Light> CreateNamed(std::string_view type, ParamDict &params,
                                  const Transform &renderFromLight) {
-    if (type == PointLight::kName) return PointLight::Create(params, renderFromLight);
-    if (type == SpotLight::kName) return SpotLight::Create(params, renderFromLight);
-    if (type == DistantLight::kName) return DistantLight::Create(params, renderFromLight);
-    const auto infinite = CreateInfiniteLight(params, renderFromLight);
-    if (!infinite) return std::nullopt;
-    return std::visit([](const auto &light) { return Light(light); }, *infinite);
+    std::optional<Light> light;
+    bool found = false;
+    LightTypes::ForEach([&]<typename L>() {
+        if constexpr (!L::kTraits.isArea) {
+            if (found || L::kName != type) return;
+            found = true;
+            light = AsLight(L::Create(params, renderFromLight));
+        }
+    });
+    return light;
 }
 
 }  // namespace
 
-std::span<const std::string_view> LightNames() {
-    return kNames;
+std::vector<std::string_view> LightNames() {
+    return NamesOf(false);
 }
-std::span<const std::string_view> AreaLightNames() {
-    return kAreaNames;
+std::vector<std::string_view> AreaLightNames() {
+    return NamesOf(true);
 }
 
 std::optional<Light> CreateLight(std::string_view type, ParamDict &params,
                                  const Transform &renderFromLight) {
-    if (std::find(kNames.begin(), kNames.end(), type) == kNames.end()) {
-        params.Error(UnknownName("light", type, kNames));
+    const std::vector<std::string_view> names = LightNames();
+    if (std::find(names.begin(), names.end(), type) == names.end()) {
+        params.Error(UnknownName("light", type, names));
         return std::nullopt;
     }
     if (!KeepsDirections(renderFromLight)) {
@@ -66,22 +95,29 @@ std::optional<Light> CreateLight(std::string_view type, ParamDict &params,
 
 std::vector<Light> CreateAreaLights(std::string_view type, ParamDict &params, const Shape &shape,
                                     const FloatTexture &alpha) {
-    if (type != DiffuseAreaLight::kName) {
-        params.Error(UnknownName("area light", type, kAreaNames));
+    std::vector<Light> lights;
+    bool found = false;
+    LightTypes::ForEach([&]<typename L>() {
+        if constexpr (L::kTraits.isArea) {
+            if (found || L::kName != type) return;
+            found = true;
+            const std::vector<L> made = L::Create(params, shape, alpha);
+            lights.assign(made.begin(), made.end());
+        }
+    });
+    if (!found) {
+        params.Error(UnknownName("area light", type, AreaLightNames()));
         return {};
     }
-    const std::vector<DiffuseAreaLight> made = DiffuseAreaLight::Create(params, shape, alpha);
     params.ReportUnused();
-    return {made.begin(), made.end()};
+    return lights;
 }
 
 void Preprocess(Light &light, const Bounds3f &sceneBounds) {
     const float radius = Length(sceneBounds.Diagonal()) / 2;
-    std::visit(
-        [&](auto &l) {
-            if constexpr (requires { l.Preprocess(radius); }) l.Preprocess(radius);
-        },
-        light);
+    Dispatch(light, [&]<typename L>(L &l) {
+        if constexpr (L::kTraits.readsSceneRadius) l.Preprocess(radius);
+    });
 }
 
 }  // namespace pbrt

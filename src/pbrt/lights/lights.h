@@ -1,22 +1,27 @@
 #pragma once
 
-#include <span>
+#include <optional>
 #include <string_view>
-#include <variant>
+#include <type_traits>
 #include <vector>
 
+#include "pbrt/base/light.h"
 #include "pbrt/lights/diffuse_area.h"
 #include "pbrt/lights/distant.h"
 #include "pbrt/lights/image_infinite.h"
 #include "pbrt/lights/point.h"
 #include "pbrt/lights/spot.h"
 #include "pbrt/lights/uniform_infinite.h"
+#include "pbrt/util/type_list.h"
 
 namespace pbrt {
 
-/// The closed set of lights. A new one: its header, its place here, its line in lights.cpp.
-using Light = std::variant<DiffuseAreaLight, PointLight, SpotLight, DistantLight,
-                           UniformInfiniteLight, ImageInfiniteLight>;
+/// The one list of lights; base/light.h is their contract, docs/EXTENDING.md the way to a new one.
+using LightTypes = TypeList<DiffuseAreaLight, PointLight, SpotLight, DistantLight,
+                            UniformInfiniteLight, ImageInfiniteLight>;
+using Light = LightTypes::Variant;
+
+static_assert(LightTypes::All([]<typename L>() { return LightContract<L>::value; }));
 
 /// Makes what `LightSource "type"` describes. nullopt after an error (in the log). Reports unread
 /// parameters.
@@ -26,59 +31,63 @@ std::optional<Light> CreateLight(std::string_view type, ParamDict &params,
 /// primitive, in order. `alpha`: the shape's. Empty after an error.
 std::vector<Light> CreateAreaLights(std::string_view type, ParamDict &params, const Shape &shape,
                                     const FloatTexture &alpha = 1.f);
-std::span<const std::string_view> LightNames();
-std::span<const std::string_view> AreaLightNames();
+
+/// What a scene may name, each once.
+std::vector<std::string_view> LightNames();
+std::vector<std::string_view> AreaLightNames();
 
 /// Tells the light how large the scene is; once, before anything below.
 void Preprocess(Light &light, const Bounds3f &sceneBounds);
 
-/// True where rays that leave the scene see it (Le).
-inline bool IsInfinite(const Light &light) {
-    return std::holds_alternative<UniformInfiniteLight>(light) ||
-           std::holds_alternative<ImageInfiniteLight>(light);
+// The members of base/light.h, of whichever type it is.
+
+inline const LightTraits &Traits(const Light &light) {
+    return Dispatch(light, []<typename L>(const L &) -> const LightTraits & { return L::kTraits; });
 }
 
 /// nullopt where nothing can arrive; occlusion is the caller's.
 inline std::optional<LightLiSample> SampleLi(const Light &light, const LightSampleContext &ctx,
                                              Point2f u, const SampledWavelengths &lambda) {
-    return std::visit([&](const auto &l) { return l.SampleLi(ctx, u, lambda); }, light);
-}
-
-/// Density of SampleLi for wi, per unit solid angle; 0 but for infinite lights (see PDF_Hit).
-inline float PDF_Li(const Light &light, const LightSampleContext &, Vector3f wi) {
-    const auto *image = std::get_if<ImageInfiniteLight>(&light);
-    return image ? image->PDF_Li(wi) : 0;
+    return Dispatch(light, [&](const auto &l) { return l.SampleLi(ctx, u, lambda); });
 }
 
 /// Density of SampleLi for the direction wi from ctx.p, which meets the area light at p, where its
-/// normal is n.
-inline float PDF_Hit(const Light &light, const LightSampleContext &ctx, Vector3f wi, Point3f p,
-                     Normal3f n) {
-    const auto *area = std::get_if<DiffuseAreaLight>(&light);
-    return area ? area->PDF(ctx.p, wi, p, n) : 0;
+/// normal is n; 0 for other lights.
+inline float PDF_Hit(const Light &light, const LightSampleContext &ctx, Point3f p, Normal3f n) {
+    return Dispatch(light, [&]<typename T>(const T &l) -> float {
+        if constexpr (T::kTraits.isArea) return l.PDF_Hit(ctx.p, p, n);
+        return 0;
+    });
 }
-
-/// Radiance along a ray that leaves the scene.
-inline SampledSpectrum Le(const Light &light, const Ray &ray, const SampledWavelengths &lambda) {
-    if (const auto *uniform = std::get_if<UniformInfiniteLight>(&light))
-        return uniform->Le(ray.d, lambda);
-    if (const auto *image = std::get_if<ImageInfiniteLight>(&light))
-        return image->Le(ray.d, lambda);
-    return SampledSpectrum(0.f);
-}
-
-/// Radiance that leaves an area light's surface at a hit into direction w.
-inline SampledSpectrum L(const Light &light, Point3f, Normal3f n, Point2f, Vector3f w,
+/// Radiance that leaves an area light's surface at a hit into direction w; 0 for other lights.
+inline SampledSpectrum L(const Light &light, Point3f p, Normal3f n, Point2f uv, Vector3f w,
                          const SampledWavelengths &lambda) {
-    const auto *area = std::get_if<DiffuseAreaLight>(&light);
-    return area ? area->L(n, w, lambda) : SampledSpectrum(0.f);
+    return Dispatch(light, [&]<typename T>(const T &l) {
+        if constexpr (T::kTraits.isArea) return l.L(p, n, uv, w, lambda);
+        return SampledSpectrum(0.f);
+    });
+}
+
+/// Radiance along a ray that leaves the scene; 0 but for infinite lights.
+inline SampledSpectrum Le(const Light &light, const Ray &ray, const SampledWavelengths &lambda) {
+    return Dispatch(light, [&]<typename T>(const T &l) {
+        if constexpr (T::kTraits.isInfinite) return l.Le(ray.d, lambda);
+        return SampledSpectrum(0.f);
+    });
+}
+/// Density of SampleLi for wi, per unit solid angle; 0 but for infinite lights (see PDF_Hit).
+inline float PDF_Li(const Light &light, Vector3f wi) {
+    return Dispatch(light, [&]<typename T>(const T &l) -> float {
+        if constexpr (T::kTraits.isInfinite) return l.PDF_Li(wi);
+        return 0;
+    });
 }
 
 inline float Power(const Light &light) {
-    return std::visit([](const auto &l) { return l.Power(); }, light);
+    return Dispatch(light, [](const auto &l) { return l.Power(); });
 }
 inline std::optional<LightBounds> Bounds(const Light &light) {
-    return std::visit([](const auto &l) { return l.Bounds(); }, light);
+    return Dispatch(light, [](const auto &l) { return l.Bounds(); });
 }
 
 }  // namespace pbrt

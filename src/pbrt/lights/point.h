@@ -1,8 +1,7 @@
 #pragma once
 
+#include "pbrt/base/light.h"
 #include "pbrt/lights/emission.h"
-#include "pbrt/lights/light.h"
-#include "pbrt/lights/light_bounds.h"
 #include "pbrt/util/transform.h"
 
 namespace pbrt {
@@ -10,6 +9,9 @@ namespace pbrt {
 /// The same radiant intensity into all directions.
 struct PointLight {
     static constexpr std::string_view kName = "point";
+    static constexpr LightTraits kTraits{.isDelta = true};
+    static constexpr std::array<std::string_view, 2> kExamples{
+        R"("point3 from" [ 1 2 3 ] "float scale" 6)", R"("rgb I" [ 3 2 1 ] "float power" 50)"};
     static PointLight Create(ParamDict &params, const Transform &renderFromLight);
 
     std::optional<LightLiSample> SampleLi(const LightSampleContext &ctx, Point2f,

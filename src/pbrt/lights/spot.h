@@ -1,8 +1,7 @@
 #pragma once
 
+#include "pbrt/base/light.h"
 #include "pbrt/lights/emission.h"
-#include "pbrt/lights/light.h"
-#include "pbrt/lights/light_bounds.h"
 #include "pbrt/util/transform.h"
 
 namespace pbrt {
@@ -11,6 +10,11 @@ namespace pbrt {
 /// axis, none beyond coneangle, a cubic smooth step in the cosine between.
 struct SpotLight {
     static constexpr std::string_view kName = "spot";
+    static constexpr LightTraits kTraits{.isDelta = true};
+    static constexpr std::array<std::string_view, 3> kExamples{
+        R"("point3 to" [ 0 1 0 ])",
+        R"("point3 to" [ 0 1 3 ] "float coneangle" 120 "float conedeltaangle" 30)",
+        R"("float coneangle" 10 "float conedeltaangle" 0)"};
     static SpotLight Create(ParamDict &params, const Transform &renderFromLight);
 
     /// Share of the full intensity at an angle from the axis.

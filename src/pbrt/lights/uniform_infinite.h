@@ -1,15 +1,27 @@
 #pragma once
 
+#include <optional>
+#include <variant>
+
+#include "pbrt/base/light.h"
 #include "pbrt/lights/emission.h"
-#include "pbrt/lights/light.h"
-#include "pbrt/lights/light_bounds.h"
+#include "pbrt/util/transform.h"
 
 namespace pbrt {
+
+struct ImageInfiniteLight;
 
 /// The same radiance from every direction. Never light-sampled: following the BSDF finds it at
 /// least as well.
 struct UniformInfiniteLight {
     static constexpr std::string_view kName = "infinite";
+    static constexpr LightTraits kTraits{
+        .isInfinite = true, .neverSampled = true, .readsSceneRadius = true};
+    static constexpr std::array<std::string_view, 2> kExamples{
+        "", R"("float illuminance" 5 "blackbody L" 4000)"};
+    /// An image light where `filename` is given, which an ImageInfiniteLight reads.
+    static std::optional<std::variant<UniformInfiniteLight, ImageInfiniteLight>> Create(
+        ParamDict &params, const Transform &renderFromLight);
 
     void Preprocess(float radius) { sceneRadius = radius; }
     std::optional<LightLiSample> SampleLi(const LightSampleContext &, Point2f,

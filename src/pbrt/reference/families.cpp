@@ -70,12 +70,12 @@ constexpr std::array kFamilies{
            [](std::string_view type, ParamDict &params) { CreateIntegrator(type, params); }},
     Family{"accelerator", "Accelerator", [] { return From(AcceleratorNames()); },
            [](std::string_view type, ParamDict &params) { ReadAccelerator(type, params); }},
-    Family{"shape", "Shape", [] { return From(ShapeNames()); }, CreateNamedShape},
+    Family{"shape", "Shape", [] { return From(ShapeDirectives::kNames); }, CreateNamedShape},
     Family{
-        "light", "LightSource", [] { return From(LightNames()); },
+        "light", "LightSource", [] { return LightNames(); },
         [](std::string_view type, ParamDict &params) { CreateLight(type, params, Transform()); }},
     Family{
-        "area light", "AreaLightSource", [] { return From(AreaLightNames()); },
+        "area light", "AreaLightSource", [] { return AreaLightNames(); },
         [](std::string_view type, ParamDict &params) { CreateAreaLights(type, params, Sphere()); }},
     Family{"material", "Material", [] { return MaterialNames(); }, CreateNamedMaterial},
     Family{"float texture", "Texture \"name\" \"float\"", [] { return From(TextureTypes::kNames); },

@@ -12,7 +12,7 @@ struct Statistics {
     double parseSeconds = 0, buildSeconds = 0;
     RenderStats render;
     int64_t peakBytes = 0;           ///< largest resident set of the process so far; 0: unknown
-    int64_t traversalBytes = 0;      ///< held for traversal, mostly by Embree
+    int64_t traversalBytes = 0;      ///< held for traversal, mostly by the ray tracer
     int64_t traversalPeakBytes = 0;  ///< the most it was, while it was built
 };
 

@@ -1,13 +1,68 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
+#include <string_view>
+#include <variant>
+#include <vector>
 
+#include "pbrt/base/ray_tracer.h"
+#include "pbrt/base/shape.h"
 #include "pbrt/shapes/rounding.h"
-#include "pbrt/shapes/surface_interaction.h"
-#include "pbrt/shapes/types.h"
+#include "pbrt/shapes/triangle_mesh.h"
 #include "pbrt/util/math.h"
 
 namespace pbrt {
+
+/// Both turn to the ray; one is shaded as flat, the other as a cylinder. Ribbons are meshes.
+enum class CurveType { Flat, Cylinder };
+
+/// A point of a curve's control polygon.
+struct CurvePoint {
+    Point3f p;
+    float radius;  ///< half the width
+};
+
+/// `Shape "curve"`: cubic Bezier segments of one type, at most kMaxCurveSegments: 52 bytes each,
+/// for neighbours share a point.
+struct CurveSet {
+    static constexpr std::string_view kName = "curve";
+    static constexpr ShapeTraits kTraits{};
+    static constexpr std::array<std::string_view, 3> kExamples{
+        R"("point3 P" [ 0 0 0  1 1 0  2 -1 1  3 0 0 ])",
+        R"("string type" "cylinder" "float width" 0.5 "string basis" "bspline"
+            "point3 P" [ 0 0 0  1 2 0  2 -1 1  4 0 3  5 2 2 ])",
+        R"("integer degree" 2 "float width0" 0.4 "float width1" 0.1
+            "point3 P" [ 0 0 0  1 2 0  2 -1 1  4 0 3  5 2 2 ])"};
+    /// A ribbon becomes triangles.
+    static std::optional<std::variant<CurveSet, TriangleMesh>> Create(const ShapeArguments &a);
+
+    size_t NPrimitives() const { return first.size(); }
+    /// Segments lie in the hull of their points, and lines about them in the hull of the balls.
+    Bounds3f Bounds() const { return BoundsOf(points.data(), points.size()); }
+    Bounds3f PrimitiveBounds(uint32_t primitive) const {
+        return BoundsOf(&points[first[primitive]], 4);
+    }
+    /// uv: u from 0 to 1 along each segment, v across the width, growing along dpdv. dpdu, dpdv and
+    /// the direction to the ray's origin are right-handed; left-handed where a transform has
+    /// mirrored the curve, be it an instance's or its own. A ray that leaves starts a whole width
+    /// off, for the curve turns to face it.
+    template <bool kWithError>
+    SurfaceInteraction SurfaceAt(const Hit &hit, const Ray &ray) const;
+
+    std::vector<uint32_t> first;     ///< per segment: its first point of four
+    std::vector<CurvePoint> points;  ///< rendering space (object's space of an instance)
+    CurveType type = CurveType::Flat;
+    bool flipNormal = false;  ///< ReverseOrientation alone: normals face away from the ray
+    bool mirrored = false;    ///< by a left-handed transform: v runs to the other side
+
+  private:
+    static Bounds3f BoundsOf(const CurvePoint *c, size_t count);
+};
+
+/// Adds the curves of `more` to `into`; false, and nothing done, where their kinds differ or they
+/// would be more than kMaxCurveSegments.
+bool Append(const CurveSet &more, CurveSet *into);
 
 /// Point, derivative and radius of a cubic Bezier segment at u.
 struct CurveAt {
@@ -27,14 +82,10 @@ struct CurveAt {
     }
 };
 
-/// uv: u from 0 to 1 along each segment, v across the width, growing along dpdv. dpdu, dpdv and the
-/// direction to the ray's origin are right-handed; left-handed where a transform has mirrored the
-/// curve, be it an instance's or its own. A ray that leaves starts a whole width off, for the curve
-/// turns to face it.
-inline SurfaceInteraction CurveSurface(const CurveSet &curves, const Hit &hit, const Ray &ray) {
-    const uint32_t first = curves.first[hit.primitive];
+template <bool>
+inline SurfaceInteraction CurveSet::SurfaceAt(const Hit &hit, const Ray &ray) const {
     const float u = std::clamp(hit.u, 0.f, 1.f);
-    const CurveAt at(&curves.points[first], u);
+    const CurveAt at(&points[first[hit.primitive]], u);
     const Vector3f tangent = UnitOr(at.dpdu, {1, 0, 0});
     const Vector3f side = UnitCross(tangent, ray.d);
     const float width = 2 * at.radius;
@@ -45,16 +96,16 @@ inline SurfaceInteraction CurveSurface(const CurveSet &curves, const Hit &hit, c
     s.uv = {u, std::clamp(v, 0.f, 1.f)};
     Normal3f n = UnitCross(tangent, side);
     Vector3f across = side;
-    if (curves.type == CurveType::Cylinder) {
+    if (type == CurveType::Cylinder) {
         const SinCos turn = SinCosTurns((s.uv.y - 0.5f) / 2);
         across = turn.cos * side - turn.sin * n;
         n = turn.cos * n + turn.sin * side;
     }
-    s.n = s.ns = curves.flipNormal ? -n : n;
+    s.n = s.ns = flipNormal ? -n : n;
     s.pError = Abs(n) * width + Gamma(3) * Abs(s.p);
     s.dpdu = s.dpdus = at.dpdu;
     s.dpdv = width * across;
-    if (curves.mirrored) {
+    if (mirrored) {
         s.uv.y = 1 - s.uv.y;
         s.dpdv = -s.dpdv;
     }

@@ -1,13 +1,13 @@
 #pragma once
 
+#include "pbrt/base/surface_interaction.h"
 #include "pbrt/shapes/rounding.h"
-#include "pbrt/shapes/surface_interaction.h"
 
 namespace pbrt {
 
 /// A surface point of an instance's object, in rendering space. pError grows by the transform's
-/// rounding and by that of the way back, which a spawned ray's origin takes through Embree before
-/// it is tested against the object.
+/// rounding and by that of the way back, which a spawned ray's origin takes before it is
+/// tested against the object.
 inline SurfaceInteraction FromInstance(const Transform &renderFromObject,
                                        const SurfaceInteraction &s) {
     const Matrix4 &m = renderFromObject.Matrix();

@@ -1,8 +1,8 @@
-#include "pbrt/shapes/shape.h"
+#include "pbrt/shapes/parallelogram.h"
 
 namespace pbrt {
 
-std::optional<Shape> AsParallelogram(const TriangleMesh &mesh) {
+std::optional<BilinearMesh> AsParallelogram(const TriangleMesh &mesh) {
     if (mesh.indices.size() != 6 || !mesh.n.empty()) return {};
     const uint32_t *i = mesh.indices.data();
     if (i[3] != i[0] || i[4] != i[2]) return {};
@@ -14,7 +14,7 @@ std::optional<Shape> AsParallelogram(const TriangleMesh &mesh) {
     patch.indices = {0, 1, 2, 3};
     patch.flipNormal = mesh.flipNormal;
     patch.planar = true;
-    return Shape(std::move(patch));
+    return patch;
 }
 
 }  // namespace pbrt

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "pbrt/base/ray_tracer.h"
+
 namespace pbrt {
 namespace {
 
@@ -29,7 +31,7 @@ class VertexReader {
             *problem = "its vertices have no x, y and z";
             return false;
         }
-        mesh->p.reserve(values.RowsAhead(e) + 1);  // and room for Embree's 16-byte reads
+        mesh->p.reserve(values.RowsAhead(e) + kPointsBehindLast);
         if (Find({"nx", "ny", "nz"}, 1)) mesh->n.reserve(values.RowsAhead(e));
         static constexpr std::array<std::array<std::string_view, 2>, 4> kUV{
             {{"u", "v"}, {"s", "t"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}}};

@@ -1,14 +1,25 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
 
+#include "pbrt/base/shape.h"
+#include "pbrt/shapes/quadric_reader.h"
 #include "pbrt/shapes/rounding.h"
-#include "pbrt/shapes/surface_interaction.h"
-#include "pbrt/shapes/types.h"
+#include "pbrt/shapes/solid_angle.h"
 #include "pbrt/util/atan2.h"
+#include "pbrt/util/math.h"
+#include "pbrt/util/sampling.h"
 
 namespace pbrt {
 
+// What surfaces of revolution have in common. Their data stand in object space, with z the axis and
+// phi from x to y; renderFromObject places them. Their normals are transformed as normals, so that
+// a mirroring transform leaves them on the outside, where triangles' need turning: flipNormal is
+// ReverseOrientation alone.
+//
 // Quadrics are intersected and placed in double precision (object space coordinates are never
 // rounded to float), so that the error of a hit is that of rounding its position once.
 
@@ -45,13 +56,6 @@ inline void PlaceQuadric(const M &renderFromObject, const M &objectFromRender, c
     s->n = s->ns = Select(flipNormal, -up, up);
 }
 
-/// A point near the sphere moved onto it.
-template <typename D, typename T>
-inline Vec3<D> OnSphere(const Vec3<D> &p, T radius) {
-    const D scale = ToDouble(radius) / Sqrt(p.x * p.x + p.y * p.y + p.z * p.z);
-    return {p.x * scale, p.y * scale, p.z * scale};
-}
-
 /// Fills in what all quadrics share, from object space quantities; n: outward, any length.
 template <bool kWithError>
 inline SurfaceInteraction PlaceQuadric(const Transform &renderFromObject, Vector3d p, Normal3f n,
@@ -65,61 +69,116 @@ inline SurfaceInteraction PlaceQuadric(const Transform &renderFromObject, Vector
     return s;
 }
 
-/// Polar angles of a sphere's lower and upper rim, pi and 0 where it is whole.
-inline float ThetaZMin(const Sphere &s) {
-    return s.zMin <= -s.radius ? Pi : std::acos(s.zMin / s.radius);
-}
-inline float ThetaZMax(const Sphere &s) {
-    return s.zMax >= s.radius ? 0 : std::acos(s.zMax / s.radius);
+// Intersection, in object space.
+
+struct Roots {
+    double t0, t1;
+};
+
+/// Where a ray, given by its parts across an axis (circle) or in space (sphere), crosses radius r.
+/// The discriminant comes from the distance at the closest approach (Hearn and Baker), the roots
+/// without cancellation (Kahan). r, a float, has an exact square: signs are right for origins
+/// 1e-15 r from the surface.
+inline std::optional<Roots> CrossRadius(Vector3d o, Vector3d d, double r) {
+    const double a = LengthSquared(d), b = -Dot(o, d), c = LengthSquared(o) - r * r;
+    if (a == 0 || (c > 0 && b <= 0)) return {};
+    const double discriminant = r * r - LengthSquared(o + (b / a) * d);
+    if (discriminant < 0) return {};
+    const double q = b + std::copysign(std::sqrt(a * discriminant), b);
+    if (q == 0) return Roots{0, 0};
+    const double t = q / a, other = c / q;
+    return t < other ? Roots{t, other} : Roots{other, t};
 }
 
-/// (u, v) of a point on the sphere in object space: u along the azimuth, v from zmin to zmax.
-inline Point2f SphereUV(const Sphere &sphere, Vector3f p) {
-    const float thetaMin = ThetaZMin(sphere), thetaMax = ThetaZMax(sphere);
-    const float theta = FastAtan2(std::sqrt(Sqr(p.x) + Sqr(p.y)), p.z);
-    return {Azimuth(p.x, p.y) / sphere.phiMax, (theta - thetaMin) / (thetaMax - thetaMin)};
+inline bool InAzimuth(double x, double y, float phiMax) {
+    if (phiMax >= 2 * Pi) return true;
+    double phi = std::atan2(y, x);
+    if (phi < 0) phi += 2 * std::numbers::pi;
+    return phi <= phiMax;
 }
 
-template <bool kWithError>
-inline SurfaceInteraction SphereSurface(const Sphere &sphere, const Hit &hit, const Ray &ray) {
-    const Vector3d p = OnSphere(ObjectPoint(sphere.renderFromObject, hit, ray), sphere.radius);
-    const Vector3f q = ToFloat(p);
-    // At the poles dpdu vanishes; keep a direction.
-    const float rho = std::sqrt(Sqr(q.x) + Sqr(q.y)), least = 1e-5f * sphere.radius;
-    const float cosPhi = rho > least ? q.x / rho : 1, sinPhi = rho > least ? q.y / rho : 0;
-    const float dTheta = ThetaZMax(sphere) - ThetaZMin(sphere);
-    const Vector3f dpdu = sphere.phiMax * std::max(rho, least) * Vector3f{-sinPhi, cosPhi, 0};
-    const Vector3f dpdv = dTheta * Vector3f{q.z * cosPhi, q.z * sinPhi, -rho};
-    return PlaceQuadric<kWithError>(sphere.renderFromObject, p, q, sphere.flipNormal, dpdu, dpdv,
-                                    SphereUV(sphere, q));
+/// The nearer of two roots that lies in (tMin, tMax] and satisfies `keep(point)`.
+template <typename F>
+inline std::optional<PrimitiveHit> FirstOf(const Roots &roots, const RayD &ray, F keep) {
+    for (const double t : {roots.t0, roots.t1})
+        if (t > ray.tMin && t <= ray.tMax && keep(ray.o + t * ray.d)) return PrimitiveHit{t};
+    return {};
 }
 
-template <bool kWithError>
-inline SurfaceInteraction DiskSurface(const Disk &disk, const Hit &hit, const Ray &ray) {
-    Vector3d p = ObjectPoint(disk.renderFromObject, hit, ray);
-    p.z = disk.height;
-    const float x = float(p.x), y = float(p.y), width = disk.radius - disk.innerRadius;
-    const float r = std::sqrt(Sqr(x) + Sqr(y)), least = 1e-5f * disk.radius;
-    const float cosPhi = r > least ? x / r : 1, sinPhi = r > least ? y / r : 0;
-    const Vector3f dpdu = disk.phiMax * std::max(r, least) * Vector3f{-sinPhi, cosPhi, 0};
-    const Vector3f dpdv = -width * Vector3f{cosPhi, sinPhi, 0};
-    return PlaceQuadric<kWithError>(disk.renderFromObject, p, {0, 0, 1}, disk.flipNormal, dpdu,
-                                    dpdv, {Azimuth(x, y) / disk.phiMax, (disk.radius - r) / width});
+// Bounds.
+
+/// The box center +- half, widened by the rounding of a transform of points as far as `far`.
+Bounds3f BoundsAround(const Transform &t, Point3f center, Vector3f half, Point3f far);
+/// Half extents of the ellipse (or, with z, ellipsoid) that the unit circle (sphere) becomes.
+Vector3f EllipseReach(const Transform &t, bool withZ);
+/// All of radius about the axis from zMin to zMax: a whole cylinder, or a disk without height.
+Bounds3f TubeBounds(const Transform &t, float radius, float zMin, float zMax);
+
+// Sampling. Q has ObjectArea(), its area in object space, and SampleArea(primitive, u), which is
+// uniform by area there.
+
+/// |determinant| of the transform's linear part.
+float Volume(const Transform &t);
+
+/// Uniform scale of the transform, or 0 where it is more than a rotation with a uniform scale.
+inline float UniformScale(const Transform &t) {
+    const Matrix4 &m = t.Matrix();
+    const Vector3f x{m[0][0], m[1][0], m[2][0]}, y{m[0][1], m[1][1], m[2][1]},
+        z{m[0][2], m[1][2], m[2][2]};
+    const float xx = LengthSquared(x), least = 1e-5f * xx;
+    const bool similar = std::abs(LengthSquared(y) - xx) <= least &&
+                         std::abs(LengthSquared(z) - xx) <= least && AbsDot(x, y) <= least &&
+                         AbsDot(y, z) <= least && AbsDot(z, x) <= least;
+    return similar ? std::sqrt(xx) : 0;
 }
 
-template <bool kWithError>
-inline SurfaceInteraction CylinderSurface(const Cylinder &cylinder, const Hit &hit,
-                                          const Ray &ray) {
-    Vector3d p = ObjectPoint(cylinder.renderFromObject, hit, ray);
-    const double toSurface = cylinder.radius / std::sqrt(p.x * p.x + p.y * p.y);
-    p.x *= toSurface;
-    p.y *= toSurface;
-    const Vector3f q = ToFloat(p);
-    const float height = cylinder.zMax - cylinder.zMin;
-    return PlaceQuadric<kWithError>(
-        cylinder.renderFromObject, p, {q.x, q.y, 0}, cylinder.flipNormal,
-        cylinder.phiMax * Vector3f{-q.y, q.x, 0}, {0, 0, height},
-        {Azimuth(q.x, q.y) / cylinder.phiMax, (q.z - cylinder.zMin) / height});
+/// How much the transform stretches the area about a point with unit normal n in object space.
+inline float AreaStretch(const Transform &t, Normal3f n) {
+    return Volume(t) * Length(t.Normal(n));
+}
+/// The same from the unit normal n in rendering space; n goes back by the transpose.
+inline float AreaStretchAt(const Transform &t, Normal3f n) {
+    const Matrix4 &m = t.Matrix();
+    const auto column = [&](int j) { return m[0][j] * n.x + m[1][j] * n.y + m[2][j] * n.z; };
+    return Volume(t) / Length(Vector3f{column(0), column(1), column(2)});
+}
+/// A vector in object space.
+inline Vector3f ObjectVector(const Transform &t, Vector3f v) {
+    const Matrix4 &m = t.InverseMatrix();
+    const auto row = [&](int i) { return m[i][0] * v.x + m[i][1] * v.y + m[i][2] * v.z; };
+    return {row(0), row(1), row(2)};
+}
+
+/// A point in object space with unit normal n and density 1 / area there.
+inline ShapeSample QuadricSample(const Transform &t, Point3f p, Normal3f n, bool flipNormal,
+                                 Point2f uv, float area) {
+    const Normal3f out = t.Normal(n);
+    const float length = Length(out);
+    ShapeSample s;
+    s.p = t.Point(p);
+    s.pError = Gamma(6) * AbsPoint(t.Matrix(), p);
+    s.n = out * ((flipNormal ? -1 : 1) / length);
+    s.uv = uv;
+    s.pdf = 1 / (area * Volume(t) * length);
+    return s;
+}
+
+/// Density per area of SampleArea where the normal in rendering space is n.
+template <typename Q>
+inline float QuadricPDFArea(const Q &quadric, Normal3f n) {
+    return 1 / (quadric.ObjectArea() * AreaStretchAt(quadric.renderFromObject, n));
+}
+
+/// Mean stretch of the area, by the midpoint rule over its parameters.
+template <typename Q>
+inline float MeanStretch(const Q &quadric, int nU, int nV) {
+    double sum = 0;
+    for (int i = 0; i < nU; ++i)
+        for (int j = 0; j < nV; ++j) {
+            const ShapeSample s = *quadric.SampleArea(0, {(i + 0.5f) / nU, (j + 0.5f) / nV});
+            sum += 1 / (s.pdf * quadric.ObjectArea());
+        }
+    return float(sum / (nU * nV));
 }
 
 }  // namespace pbrt

@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "pbrt/shapes/bilinear.h"
+#include "pbrt/shapes/bilinear_mesh.h"
 #include "pbrt/util/atan2.h"
 #include "pbrt/util/math.h"
 

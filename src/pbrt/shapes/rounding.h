@@ -7,8 +7,6 @@
 
 namespace pbrt {
 
-using Vector3d = Vec3<double>;
-
 inline double ToDouble(float a) {
     return a;
 }
@@ -102,12 +100,12 @@ inline Vec3<T> UnitOr(Vec3<T> v, Vec3<T> other) {
     return Select(IsSafe(l2), v * (1 / Sqrt(l2)), other);
 }
 
-/// How far from a triangle's plane a ray's origin must be, per axis, for Embree's test in float to
-/// get its side right: t has the sign of (p0 - o).Ng, Ng being the cross product of differences of
-/// the corners relative to o. For o within the triangle, |corner - o| <= its extent E in each axis,
-/// so the error is a number of roundings times |p0 - o| E E / |Ng|, summed over the axes. At worst
-/// 24 of them (edges 3, products 7, difference 8, with p0 - o 10, sum 12, twice for two products);
-/// 4e5 random rays need 1; 4 are taken, for slivers would be left too far behind.
+/// How far from a triangle's plane a ray's origin must be, per axis, for the ray tracer's test in
+/// float to get its side right: t has the sign of (p0 - o).Ng, Ng being the cross product of
+/// differences of the corners relative to o. For o within the triangle, |corner - o| <= its extent
+/// E in each axis, so the error is a number of roundings times |p0 - o| E E / |Ng|, summed over the
+/// axes. At worst 24 of them (edges 3, products 7, difference 8, with p0 - o 10, sum 12, twice for
+/// two products); 4e5 random rays need 1; 4 are taken, for slivers would be left too far behind.
 /// e1, e2: edges at p0; p: a point of the plane.
 template <typename T>
 inline Vec3<T> PlaneTestError(Vec3<T> p, Vec3<T> p0, Vec3<T> e1, Vec3<T> e2, Vec3<T> n,

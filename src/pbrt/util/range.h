@@ -4,8 +4,8 @@
 
 namespace pbrt {
 
-/// Embree traces no ray whose origin or direction has a coordinate beyond 1.844e18 (its FLT_LARGE,
-/// which Debian's package asserts), and leaves out what lies beyond.
+/// The ray tracer takes no ray whose origin or direction has a coordinate beyond 1.844e18, and
+/// leaves out what lies beyond.
 inline constexpr float kMostTraced = 1.8e18f;
 
 /// Coordinates of all that stands in a scene, or in an object by itself. The longest direction is

@@ -12,6 +12,17 @@ namespace pbrt {
 template <typename... Ts>
 struct TypeList {
     using Variant = std::variant<Ts...>;
+    static constexpr size_t kSize = sizeof...(Ts);
+    /// The list with more types behind.
+    template <typename... Us>
+    using Append = TypeList<Ts..., Us...>;
+    /// The place of T, as Variant's index() gives it.
+    template <typename T>
+    static constexpr size_t kIndexOf = [] {
+        size_t i = 0;
+        (void)((std::is_same_v<T, Ts> || (++i, false)) || ...);
+        return i;
+    }();
     static constexpr std::array<std::string_view, sizeof...(Ts)> kNames{Ts::kName...};
 
     /// Calls visit.template operator()<T>() for the type whose name is `name`; false where none is.

@@ -52,6 +52,7 @@ using Point2f = Vec2<float>;
 using Vector2f = Vec2<float>;
 using Point2i = Vec2<int>;
 using Vector3f = Vec3<float>;
+using Vector3d = Vec3<double>;
 using Point3f = Vec3<float>;
 using Normal3f = Vec3<float>;
 

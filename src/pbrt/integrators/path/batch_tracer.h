@@ -11,7 +11,7 @@
 
 namespace pbrt {
 
-/// Traces a batch of paths side by side, one vertex of each at a time: rays go through Embree in
+/// Traces a batch of paths side by side, one vertex of each at a time: rays are traced in
 /// packets, and what a packet's sixteen paths do alike is done at once. A path's result depends on
 /// its pixel and sample number, and, in its roundings, on the paths of its batch, which share its
 /// packets: so batches have the same borders whatever part of an image is rendered

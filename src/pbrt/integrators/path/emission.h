@@ -2,6 +2,7 @@
 
 #include "pbrt/integrators/path/path_batch.h"
 #include "pbrt/integrators/path/settings.h"
+#include "pbrt/lights/light_packet.h"
 #include "pbrt/util/sampling.h"
 
 namespace pbrt {
@@ -33,17 +34,14 @@ inline SampledSpectrum EscapedRadiance(const PathSettings &settings, const PathS
 /// Adds that of all infinite lights to batch.L, for the given lanes.
 inline void AddEscapedRadiance(const RenderScene &scene, const PathSettings &settings,
                                const PathPacket &paths, LaneBits lanes, PathBatch *batch) {
+    WavelengthPacket lambda{};
+    ForEachLane(lanes, [&](int i) { lambda[size_t(i)] = &batch->lambda[paths.slot[i]]; });
     for (int index : scene.infiniteLights) {
-        const Light &light = scene.lights[size_t(index)];
-        const auto *const image = std::get_if<ImageInfiniteLight>(&light);
-        const auto place = image ? image->Along(paths.d) : ImageInfiniteLight::Place<FloatX16>();
+        LightLePacket le;
+        Le(scene.lights[size_t(index)], paths.d, lambda, lanes, &le);
         ForEachLane(lanes, [&](int i) {
-            const SampledWavelengths &lambda = batch->lambda[paths.slot[i]];
-            const PathState path = paths.At(i);
-            const SampledSpectrum Le = image ? image->RadianceAt(Lane(place.p, i), lambda)
-                                             : pbrt::Le(light, path.ray, lambda);
             batch->L[paths.slot[i]] +=
-                EscapedRadiance(settings, path, index, Le, image ? place.pdf[i] : 0);
+                EscapedRadiance(settings, paths.At(i), index, le.L[size_t(i)], le.pdf[i]);
         });
     }
 }
@@ -60,7 +58,7 @@ inline SampledSpectrum EmittedRadiance(const RenderScene &scene, const PathSetti
     float lightPDF = 0;
     if (path.bsdfPDF != 0)
         lightPDF = settings.lightSampler.PMF(path.previous, index) *
-                   PDF_Hit(light, path.previous, path.ray.d, sp.p, sp.n);
+                   PDF_Hit(light, path.previous, sp.p, sp.n);
     return path.beta * Le * MISWeight(settings, path, lightPDF);
 }
 

@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "pbrt/accel/packet.h"
+#include "pbrt/base/hit.h"
 #include "pbrt/base/integrator.h"
-#include "pbrt/lights/light.h"
+#include "pbrt/base/light.h"
 
 namespace pbrt {
 

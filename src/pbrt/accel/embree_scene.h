@@ -1,0 +1,13 @@
+#pragma once
+
+#include "pbrt/accel/impl.h"
+
+namespace pbrt {
+
+/// What Accel has built, for benchmarks of Embree alone.
+struct EmbreeSceneOf {
+    RTCScene scene;
+    explicit EmbreeSceneOf(const Accel &accel) : scene(accel.impl->scene) {}
+};
+
+}  // namespace pbrt

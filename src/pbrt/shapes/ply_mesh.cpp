@@ -1,0 +1,62 @@
+#include "pbrt/shapes/ply_mesh.h"
+
+#include <fmt/format.h>
+
+#include "pbrt/shapes/place_mesh.h"
+#include "pbrt/shapes/ply.h"
+
+namespace pbrt {
+namespace {
+
+constexpr StringParam kFileName{"filename", "", "the PLY file, which may be gzipped"};
+
+}  // namespace
+
+std::vector<PlyFile::Mesh> PlyFile::Create(const ShapeArguments &a) {
+    const std::string fileName = a.params.GetFileName(kFileName);
+    if (fileName.empty()) {
+        a.params.Error(fmt::format("{} needs \"string filename\"", a.params.What()));
+        return {};
+    }
+    std::vector<Mesh> meshes;
+    const auto fail = [&](std::string_view what) {
+        a.params.Error(kFileName.name, fmt::format("{}: {}", fileName, what));
+        return std::vector<Mesh>();
+    };
+    const auto place = [&](auto mesh) {
+        const auto wrong = PlaceMesh(a.renderFromObject, a.entity.reverseOrientation, &mesh);
+        if (!wrong) meshes.emplace_back(std::move(mesh));
+        return wrong;
+    };
+    std::string problem;
+    std::optional<PlyMesh> ply = ReadPly(fileName, &problem);
+    if (!ply) return fail(problem);
+    if (ply->otherFaces > 0)
+        a.params.Warning(kFileName.name,
+                         fmt::format("{}: {} faces have other than 3 or 4 corners and are left out",
+                                     fileName, ply->otherFaces));
+    if (ply->triangles.empty() && ply->quads.empty()) return fail("has no face of 3 or 4 corners");
+
+    if (!ply->quads.empty()) {
+        BilinearMesh mesh;
+        mesh.indices = std::move(ply->quads);
+        mesh.faceIndices = std::move(ply->quadFaces);
+        const bool shared = !ply->triangles.empty();
+        mesh.p = shared ? ply->p : std::move(ply->p);
+        mesh.n = shared ? ply->n : std::move(ply->n);
+        mesh.uv = shared ? ply->uv : std::move(ply->uv);
+        if (const auto wrong = place(std::move(mesh))) return fail(*wrong);
+    }
+    if (!ply->triangles.empty()) {
+        TriangleMesh mesh;
+        mesh.indices = std::move(ply->triangles);
+        mesh.faceIndices = std::move(ply->triangleFaces);
+        mesh.p = std::move(ply->p);
+        mesh.n = std::move(ply->n);
+        mesh.uv = std::move(ply->uv);
+        if (const auto wrong = place(std::move(mesh))) return fail(*wrong);
+    }
+    return meshes;
+}
+
+}  // namespace pbrt
