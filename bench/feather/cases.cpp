@@ -19,7 +19,7 @@ constexpr auto kMode = TransportMode::Radiance;
 FloatX16 AverageOf(const std::array<SampledSpectrum, kPacketSize> &spectra) {
     FloatX16 average;
     for (int i = 0; i < kPacketSize; ++i)
-        average[i] = spectra[size_t(i)].Average();
+        average.Set(i, spectra[size_t(i)].Average());
     return average;
 }
 

@@ -1,4 +1,5 @@
 #include <complex>
+#include <numeric>
 
 #include "bench/feather/cases.h"
 #include "bench/feather/model.h"
@@ -46,7 +47,7 @@ Case SeriesCase(const std::string &name) {
                             std::array<T, N> R;
                             for (int i = 0; i < N; ++i)
                                 R[i] = SeriesReflectance<T>(kLambda[i], kThickness, kEta, in.wo.z);
-                            return float(feather::Sum(R));
+                            return float(std::accumulate(R.begin(), R.end(), T(0)));
                         })});
     return c;
 }
@@ -66,7 +67,7 @@ std::vector<Case> FilmCases() {
                                std::array<float, N> R;
                                for (int i = 0; i < N; ++i)
                                    R[i] = films[i].Reflectance(in.wo.z);
-                               return feather::Sum(R);
+                               return std::accumulate(R.begin(), R.end(), 0.f);
                            })});
     return {real, SeriesCase<float>("film, complex series"),
             SeriesCase<double>("film, series in double")};

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "pbrt/util/vecmath.h"
-#include "pbrt/util/wide.h"
+#include "pbrt/util/vecmath_simd.h"
 
 namespace pbrt::bench {
 

@@ -2,7 +2,7 @@
 
 #include "bench/stopwatch.h"
 #include "pbrt/samplers/samplers.h"
-#include "pbrt/util/wide.h"
+#include "pbrt/util/vecmath_simd.h"
 
 namespace pbrt::bench {
 

@@ -58,11 +58,12 @@ inline void AddSurface(Stopwatch &watch, const std::string &name, Rng &rng,
         for (int i = 0; i < kPacketSize; ++i) {
             const size_t which = rng.Below(uint32_t(work->shapes.size()));
             met.shape[size_t(i)] = &work->shapes[which];
-            met.hit.primitive[i] = rng.Below(uint32_t(
-                std::visit([](const auto &s) { return s.NPrimitives(); }, work->shapes[which])));
-            met.hit.geometry[i] = uint32_t(which), met.hit.instance[i] = ~0u;
-            met.hit.u[i] = 0.5f * rng.Uniform(), met.hit.v[i] = 0.5f * rng.Uniform();
-            met.hit.t[i] = rng.Uniform();
+            met.hit.primitive.Set(
+                i, rng.Below(uint32_t(std::visit([](const auto &s) { return s.NPrimitives(); },
+                                                 work->shapes[which]))));
+            met.hit.geometry.Set(i, uint32_t(which)), met.hit.instance.Set(i, ~0u);
+            met.hit.u.Set(i, 0.5f * rng.Uniform()), met.hit.v.Set(i, 0.5f * rng.Uniform());
+            met.hit.t.Set(i, rng.Uniform());
             SetLane(&met.o, i, RandomPoint(rng));
             SetLane(&met.d, i, RandomPoint(rng));
             const HitPacket &h = met.hit;

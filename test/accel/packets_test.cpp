@@ -127,7 +127,7 @@ RayPacket PacketOf(Rng &rng, LaneBits active, Ray *rays) {
 constexpr float kUntouched = -7;
 
 HitPacket UntouchedHits() {
-    const FloatX16 f = Broadcast16(kUntouched);
+    const FloatX16 f = Broadcast<16>(kUntouched);
     const UintX16 u = UintX16{} + 77;
     return {f, f, f, u, u, u};
 }
@@ -225,7 +225,7 @@ TEST(Packets, PassWhatSingleRaysPass) {
             const LaneBits active = RandomLanes(rng);
             Ray rays[kPacketSize];
             const RayPacket packet = PacketOf(rng, active, rays);
-            FloatX16 passed = Broadcast16(kUntouched);
+            FloatX16 passed = Broadcast<16>(kUntouched);
             scene.accel->Transmittance(packet, active, Gaps(), &passed);
             for (int j = 0; j < kPacketSize; ++j) {
                 if (!(active >> j & 1)) {

@@ -43,7 +43,7 @@ void ExpectAlike(const Make &make, const Tolerances &least = {}) {
         FloatX16 uc;
         for (int i = 0; i < kPacketSize; ++i) {
             SetLane(&u, i, rng.Uniform2D());
-            uc[i] = rng.Uniform();
+            uc.Set(i, rng.Uniform());
         }
         const BxDFValues values = lanes.Evaluate(wo, wi, active);
         const BxDFSamples samples = lanes.Sample(wo, uc, u, active);

@@ -98,13 +98,13 @@ class Fuzz : public testing::Test {
 
     /// f, PDF and a drawn direction of sixteen pairs.
     void RunSideBySide(int64_t evaluations) {
-        using V = Lanes<float>;
+        using V = SimdX16<float>;
         int wrong = 0;
-        for (int64_t n = 0; n < evaluations && wrong < 10; n += kLanes) {
+        for (int64_t n = 0; n < evaluations && wrong < 10; n += kPacketSize) {
             Sixteen<float> barbules;
             Direction<V> wo, wi;
             V u[3];
-            for (int k = 0; k < kLanes; ++k) {
+            for (int k = 0; k < kPacketSize; ++k) {
                 barbules.Set(k, AnyLegalShape(), AnyOptics());
                 SetLane(&wo, k, AnyDirection());
                 SetLane(&wi, k,
@@ -120,7 +120,7 @@ class Fuzz : public testing::Test {
             const V pdf = all.PDF(view, wi);
             const auto drawn = all.Draw(view, u[0], u[1], u[2]);
             const uint32_t grazing = BitsOf(view.grazing);
-            for (int k = 0; k < kLanes; ++k) {
+            for (int k = 0; k < kPacketSize; ++k) {
                 const Direction<float> w = Lane(drawn.wi, k);
                 const char *what = nullptr;
                 if (!Sound({f[0][k], f[1][k], f[2][k], f[3][k]})) what = "f";

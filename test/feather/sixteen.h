@@ -8,11 +8,11 @@ namespace pbrt::feather {
 template <std::floating_point T>
 class Sixteen {
   public:
-    using V = Lanes<T>;
+    using V = SimdX16<T>;
     using Wide = Barbule<V, 4>;
 
     void Set(int k, const Shape &shape, const Optics<T, 4> &at = Feather<T>()) {
-        one.resize(kLanes, BarbuleOf<T>({}));
+        one.resize(kPacketSize, BarbuleOf<T>({}));
         one[k] = BarbuleOf<T>(shape, at);
         vane.Set(k, Vane<T>(ParamsOf<T>(shape)));
         thickness.Set(k, T(shape.thickness));
@@ -33,11 +33,11 @@ class Sixteen {
 };
 
 template <std::floating_point T>
-void SetLane(Direction<Lanes<T>> *to, int k, const Direction<T> &w) {
+void SetLane(Direction<SimdX16<T>> *to, int k, const Direction<T> &w) {
     to->x.Set(k, w.x), to->y.Set(k, w.y), to->z.Set(k, w.z);
 }
 template <std::floating_point T>
-Direction<T> Lane(const Direction<Lanes<T>> &w, int k) {
+Direction<T> Lane(const Direction<SimdX16<T>> &w, int k) {
     return {w.x[k], w.y[k], w.z[k]};
 }
 

@@ -91,7 +91,7 @@ TEST(EveryLightSampler, ServesSixteenReceiversAsEachAlone) {
                 const LightSampleContext one = RandomReceiver(rng, 4);
                 SetLane(&ctx.p, i, one.p);
                 SetLane(&ctx.ns, i, one.ns);
-                u[i] = std::min(number(rng), OneMinusEpsilon);
+                u.Set(i, std::min(number(rng), OneMinusEpsilon));
             }
             const LaneBits lanes = rng() & kAllLanes;
             ExpectAsEachAlone(sampler, ctx, u, lanes);

@@ -50,7 +50,7 @@ TEST(LightTree, SixteenReceiversAreServedAsEachAlone) {
             const LightSampleContextX16 ctx = RandomReceivers(rng, round % 2 ? 3 : 10);
             FloatX16 u;
             for (int i = 0; i < kPacketSize; ++i)
-                u[i] = rng.Below(8) == 0 ? OneMinusEpsilon : rng.Uniform();
+                u.Set(i, rng.Below(8) == 0 ? OneMinusEpsilon : rng.Uniform());
             const LaneBits lanes = round % 3 == 0 ? kAllLanes : rng.Next32() & kAllLanes;
             ExpectAsEachAlone(tree, ctx, u, lanes);
         }
@@ -69,7 +69,7 @@ TEST(LightTree, TakesLightsAtTheEndOfTheFloats) {
         const LightSampleContextX16 ctx = RandomReceivers(rng, 3);
         FloatX16 u;
         for (int i = 0; i < kPacketSize; ++i)
-            u[i] = rng.Uniform();
+            u.Set(i, rng.Uniform());
         ExpectAsEachAlone(tree, ctx, u, kAllLanes);
     }
 }
@@ -141,7 +141,7 @@ TEST(LightTree, DrawsByItsProbabilities) {
         for (int k = 0; k < kDraws; k += kPacketSize) {
             FloatX16 u;
             for (int i = 0; i < kPacketSize; ++i)
-                u[i] = rng.Uniform();
+                u.Set(i, rng.Uniform());
             const SampledLights drawn = tree.Sample(ctx, u, kAllLanes);
             ForEachLane(drawn.valid, [&](int i) { ++counts[size_t(drawn.light[size_t(i)])]; });
             counts[200] += kPacketSize - std::popcount(drawn.valid);
@@ -182,8 +182,8 @@ TEST(LightTree, SixteenClustersAreWhatEachIsAlone) {
             const ClusterOf<float> c = Cluster(lights[first + size_t(i)]);
             SetLane(&all.center, i, c.center);
             SetLane(&all.axis, i, c.axis);
-            all.radius[i] = c.radius, all.spread[i] = c.spread;
-            all.cosTheta_e[i] = c.cosTheta_e, all.signedPower[i] = c.signedPower;
+            all.radius.Set(i, c.radius), all.spread.Set(i, c.spread);
+            all.cosTheta_e.Set(i, c.cosTheta_e), all.signedPower.Set(i, c.signedPower);
         }
         const LightSampleContext ctx = RandomReceivers(rng, 5).At(0);
         const FloatX16 importance = Importance(all, Receiver(ctx.p, ctx.ns));

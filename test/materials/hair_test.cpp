@@ -97,10 +97,13 @@ TEST(HairMaterial, TexturesOutOfRangeAreClampedAndCounted) {
         "Texture \"b\" \"float\" \"checkerboard\" \"float tex1\" 3 \"float tex2\" .5\n"
         "Material \"hair\" \"spectrum sigma_a\" [ 300 .5 900 .5 ] \"texture beta_n\" \"b\"");
     EXPECT_EQ(made.Messages(), "");
-    EXPECT_EQ(made.As<HairMaterial>().Warnings(), "");
-    const auto bxdf = made.As<HairMaterial>().GetBxDF(AtUV(0.5f, 0.6f), SomeWavelengths());
+    ClampCounts counts;
+    TextureEvalContext at = AtUV(0.5f, 0.6f);
+    at.clamped = &counts;
+    EXPECT_EQ(made.As<HairMaterial>().Warnings(counts), "");
+    const auto bxdf = made.As<HairMaterial>().GetBxDF(at, SomeWavelengths());
     ExpectSame(bxdf.f(kWo, kWi, kMode), Expected(0.2f, SampledSpectrum(0.5f), 1.55f, 0.3f, 1));
-    EXPECT_EQ(made.As<HairMaterial>().Warnings(),
+    EXPECT_EQ(made.As<HairMaterial>().Warnings(counts),
               "hair \"beta_n\": 1 texture values outside [0.01, 1] clamped");
 }
 

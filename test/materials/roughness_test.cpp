@@ -11,10 +11,13 @@ void ExpectClampedToSmooth(const std::string &type) {
         "Material \"" +
         type + "\" \"texture roughness\" \"rough\"");
     const M &material = made.As<M>();
-    const Vector2f alpha = material.roughness.Alpha(AtUV(0.2f, 0.6f));
+    ClampCounts counts;
+    TextureEvalContext at = AtUV(0.2f, 0.6f);
+    at.clamped = &counts;
+    const Vector2f alpha = material.roughness.Alpha(at);
     EXPECT_EQ(alpha.x, 0);
     EXPECT_EQ(alpha.y, 0);
-    EXPECT_EQ(material.Warnings(),
+    EXPECT_EQ(material.Warnings(counts),
               type + " \"roughness\": 2 texture values outside [0, 1000000] clamped");
 }
 
@@ -31,7 +34,7 @@ TEST(Roughness, EachDirectionHasItsOwn) {
     const Vector2f alpha = made.As<ConductorMaterial>().roughness.Alpha(AtUV(0, 0));
     EXPECT_FLOAT_EQ(alpha.x, 0.5f);
     EXPECT_FLOAT_EQ(alpha.y, 0.6f);
-    EXPECT_EQ(made.As<ConductorMaterial>().Warnings(), "");
+    EXPECT_EQ(made.As<ConductorMaterial>().Warnings({}), "");
 }
 
 }  // namespace

@@ -130,7 +130,7 @@ TEST(MaterialSet, KnowsTypesAndTraits) {
         });
     }
     EXPECT_EQ(set.Size(), 2 * MaterialTypes::kNames.size());
-    EXPECT_TRUE(set.Warnings().empty());
+    EXPECT_TRUE(set.Warnings({}).empty());
     const MaterialSet moved = std::move(set);
     EXPECT_EQ(moved.Size(), 2 * MaterialTypes::kNames.size());
 }

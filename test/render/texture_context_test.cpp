@@ -47,7 +47,7 @@ void ExpectLanesAsOneByOne(const RenderScene &world) {
             SetLane(&points, i, RandomPoint(rng));
         std::array<TextureEvalContext, kPacketSize> contexts;
         const LaneBits lanes = 0xbeef;
-        world.TextureContexts(points, lanes, &contexts);
+        world.TextureContexts(points, lanes, nullptr, &contexts);
         ForEachLane(lanes, [&](int i) {
             const TextureEvalContext a = contexts[size_t(i)];
             const TextureEvalContext b = world.TextureContext(Lane(points, i));

@@ -7,7 +7,8 @@
 # 3. A room includes something of each of its DEPS.
 # 4. An integrator, a subfolder of integrators/, includes no other one.
 # 5. Embree is named in accel/ only, comments apart.
-# 6. feather and simd include themselves, simd and the standard library only.
+# 6. feather and simd include themselves, simd and the standard library only, without any include
+#    path: "sibling.h", "../simd/file.h".
 # 7. Every other include in quotes is "pbrt/<room>/<file>.h", so that rule 2 sees it.
 
 function complain(where, rule) {
@@ -73,8 +74,8 @@ function check_include(code,    room, name, target, from, to) {
     sub(/^[ \t]*#[ \t]*include[ \t]*/, "", name)
     sub(/[ \t]+$/, "", name)
     if (room == "feather" || room == "simd") {
-        if (name !~ /^<([a-z_0-9]+|immintrin\.h|arm_neon\.h)>$/ && name !~ /^"[a-z_0-9\/]+\.h"$/ ||
-            name ~ /^"pbrt\// && name !~ "^\"pbrt/(simd|" room ")/")
+        if (name !~ /^<([a-z_0-9]+|immintrin\.h|arm_neon\.h)>$/ &&
+            name !~ /^"(\.\.\/simd\/)?[a-z_0-9]+\.h"$/)
             complain(FILENAME ":" FNR, room " includes " name ", but only itself, simd and the " \
                      "standard library are allowed")
         return

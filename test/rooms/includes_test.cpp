@@ -36,7 +36,7 @@ class BrokenRooms : public TempFolder {
         Add("simd/simd.h", "#include <cmath>\n#include <immintrin.h>\n");
         Add("feather/arc.h",
             "#include <cmath>\n#include \"units.h\"\n"
-            "#include \"pbrt/simd/simd.h\"\n");
+            "#include \"../simd/simd.h\"\n");
         Add("util/range.h", "#include <fmt/format.h>\n#include \"pbrt/feather/arc.h\"\n");
         Add("shapes/disk.h", "// As Embree has it.\n#include \"pbrt/util/range.h\"\n");
         Add("accel/accel.h", "#include <embree3/rtcore.h>\n#include \"pbrt/shapes/disk.h\"\n");

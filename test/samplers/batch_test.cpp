@@ -10,7 +10,8 @@ namespace {
 constexpr Point2i kResolution{300, 500};
 
 std::vector<Sampler> AllSamplers() {
-    std::vector<Sampler> samplers{ZSobolSampler(1 << 20, kResolution, Randomization::Owen, 8),
+    std::vector<Sampler> samplers{StratifiedSampler(5, 3, false, 5),
+                                  ZSobolSampler(1 << 20, kResolution, Randomization::Owen, 8),
                                   ZSobolSampler(1, {1, 1}, Randomization::None, 0)};
     for (const Sampler &example : SamplerExamples(kResolution, 7))
         samplers.push_back(example);
@@ -35,8 +36,8 @@ void ExpectSameNumbers(S alone, const std::vector<Point2i> &pixels, uint64_t see
         const int dimension = int(rng.Below(round < 30 ? 20 : 1000));
         UintX16 pixel, index;
         for (int i = 0; i < kPacketSize; ++i) {
-            pixel[i] = rng.Below(uint32_t(pixels.size()));
-            index[i] = rng.Below(uint32_t(sampler.SamplesPerPixel()));
+            pixel.Set(i, rng.Below(uint32_t(pixels.size())));
+            index.Set(i, rng.Below(uint32_t(sampler.SamplesPerPixel())));
         }
         const FloatX16 single = sampler.Get1D(dimension, pixel, index);
         const Point2fX16 pair = sampler.Get2D(dimension, pixel, index);

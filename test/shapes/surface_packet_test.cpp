@@ -92,8 +92,8 @@ void RandomHit(Rng &rng, const Shape &shape, int lane, PacketHits *met) {
         on = SampleArea(shape, primitive, rng.Uniform2D());
     const Point3f p = on ? on->p : Point3f{}, from = p + 5.f * Direction(rng);
     met->shape[size_t(lane)] = &shape;
-    met->hit.t[lane] = 1, met->hit.u[lane] = uv.x, met->hit.v[lane] = uv.y;
-    met->hit.primitive[lane] = primitive;
+    met->hit.t.Set(lane, 1), met->hit.u.Set(lane, uv.x), met->hit.v.Set(lane, uv.y);
+    met->hit.primitive.Set(lane, primitive);
     SetLane(&met->o, lane, from);
     SetLane(&met->d, lane, p - from);
 }

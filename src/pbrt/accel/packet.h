@@ -19,7 +19,8 @@ inline uint32_t Octant(Vector3f d) {
 }
 
 inline UintX16 Octant(const Vector3fX16 &d) {
-    return std::bit_cast<UintX16>(((d.x < 0.f) & 1) | ((d.y < 0.f) & 2) | ((d.z < 0.f) & 4));
+    const auto bit = [](const FloatX16 &x, uint32_t b) { return Select(x < 0, b, 0u); };
+    return bit(d.x, 1) | bit(d.y, 2) | bit(d.z, 4);
 }
 
 /// Sixteen of Hit.
@@ -29,8 +30,9 @@ struct alignas(64) HitPacket {
 
     Hit At(int i) const { return {t[i], u[i], v[i], geometry[i], primitive[i], instance[i]}; }
     void Set(int i, const Hit &hit) {
-        t[i] = hit.t, u[i] = hit.u, v[i] = hit.v;
-        geometry[i] = hit.geometry, primitive[i] = hit.primitive, instance[i] = hit.instance;
+        t.Set(i, hit.t), u.Set(i, hit.u), v.Set(i, hit.v);
+        geometry.Set(i, hit.geometry), primitive.Set(i, hit.primitive);
+        instance.Set(i, hit.instance);
     }
 };
 

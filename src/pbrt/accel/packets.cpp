@@ -6,31 +6,29 @@ namespace pbrt {
 namespace {
 
 void SetRays(const RayPacket &rays, RTCRay16 *r) {
-    constexpr UintX16 kLane{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-    StoreWide(rays.o.x, r->org_x);
-    StoreWide(rays.o.y, r->org_y);
-    StoreWide(rays.o.z, r->org_z);
-    StoreWide(Broadcast16(std::numeric_limits<float>::min()), r->tnear);
-    StoreWide(rays.d.x, r->dir_x);
-    StoreWide(rays.d.y, r->dir_y);
-    StoreWide(rays.d.z, r->dir_z);
-    StoreWide(rays.time, r->time);
-    StoreWide(rays.tMax, r->tfar);
-    StoreWide(UintX16{} + ~0u, r->mask);
-    StoreWide(kLane, r->id);
-    StoreWide(UintX16{}, r->flags);
+    Store(rays.o.x, r->org_x);
+    Store(rays.o.y, r->org_y);
+    Store(rays.o.z, r->org_z);
+    Store(FloatX16(std::numeric_limits<float>::min()), r->tnear);
+    Store(rays.d.x, r->dir_x);
+    Store(rays.d.y, r->dir_y);
+    Store(rays.d.z, r->dir_z);
+    Store(rays.time, r->time);
+    Store(rays.tMax, r->tfar);
+    Store(UintX16(~0u), r->mask);
+    Store(kLaneNumbers, r->id);
+    Store(UintX16{}, r->flags);
 }
 
 /// Embree's form of the active lanes: all bits or none.
 struct alignas(64) Valid {
-    MaskX16 lanes;
-    explicit Valid(LaneBits active) : lanes(MaskOf(active)) {}
-    const int *Data() const { return reinterpret_cast<const int *>(&lanes); }
+    int32_t lanes[kPacketSize];
+    explicit Valid(LaneBits active) { MaskOf(active).Store(lanes); }
 };
 
 /// Lanes that ended at something, which Embree marks by a negative tfar.
 LaneBits Ended(const RTCRay16 &r, LaneBits active) {
-    return BitsOf(LoadWide(r.tfar) < 0) & active;
+    return BitsOf(LoadX16(r.tfar) < 0) & active;
 }
 
 }  // namespace
@@ -53,24 +51,24 @@ LaneBits Accel::Intersect(const RayPacket &rays, LaneBits active, HitPacket *hit
     if (!coherent && impl->IntersectsSingly()) return IntersectSingly(rays, active, hits);
     RTCRayHit16 rh;
     SetRays(rays, &rh.ray);
-    StoreWide(UintX16{} + RTC_INVALID_GEOMETRY_ID, rh.hit.geomID);
-    StoreWide(UintX16{} + RTC_INVALID_GEOMETRY_ID, rh.hit.instID[0]);
+    Store(UintX16(RTC_INVALID_GEOMETRY_ID), rh.hit.geomID);
+    Store(UintX16(RTC_INVALID_GEOMETRY_ID), rh.hit.instID[0]);
     QueryContext context(rays, nullptr, nullptr);
-    Intersect16(impl->scene, &context.embree, Valid(active).Data(), &rh, coherent);
+    Intersect16(impl->scene, &context.embree, Valid(active).lanes, &rh, coherent);
 
-    UintX16 geometry = LoadWide(rh.hit.geomID), instance = LoadWide(rh.hit.instID[0]);
+    UintX16 geometry = LoadX16(rh.hit.geomID), instance = LoadX16(rh.hit.instID[0]);
     const MaskX16 found = (geometry != RTC_INVALID_GEOMETRY_ID) & MaskOf(active);
     const MaskX16 instanced = found & (instance != RTC_INVALID_GEOMETRY_ID);
-    instance -= instanced ? UintX16{} + impl->nTop : UintX16{};
+    instance -= Select(instanced, impl->nTop, 0u);
     ForEachLane(BitsOf(instanced), [&](int i) {
-        geometry[i] += impl->objects[impl->instances[instance[i]].object].first;
+        geometry.Set(i, geometry[i] + impl->objects[impl->instances[instance[i]].object].first);
     });
-    hits->t = Select(found, LoadWide(rh.ray.tfar), hits->t);
-    hits->u = Select(found, LoadWide(rh.hit.u), hits->u);
-    hits->v = Select(found, LoadWide(rh.hit.v), hits->v);
-    hits->geometry = found ? geometry : hits->geometry;
-    hits->primitive = found ? LoadWide(rh.hit.primID) : hits->primitive;
-    hits->instance = found ? instance : hits->instance;
+    hits->t = Select(found, LoadX16(rh.ray.tfar), hits->t);
+    hits->u = Select(found, LoadX16(rh.hit.u), hits->u);
+    hits->v = Select(found, LoadX16(rh.hit.v), hits->v);
+    hits->geometry = Select(found, geometry, hits->geometry);
+    hits->primitive = Select(found, LoadX16(rh.hit.primID), hits->primitive);
+    hits->instance = Select(found, instance, hits->instance);
     return BitsOf(found);
 }
 
@@ -83,22 +81,22 @@ LaneBits Accel::Occluded(const RayPacket &rays, LaneBits active) const {
     RTCRay16 r;
     SetRays(rays, &r);
     QueryContext context(rays, nullptr, nullptr);
-    Occluded16(impl->scene, &context.embree, Valid(active).Data(), &r);
+    Occluded16(impl->scene, &context.embree, Valid(active).lanes, &r);
     return Ended(r, active);
 }
 
 void Accel::Transmittance(const RayPacket &rays, LaneBits active, const NullTransmission &gaps,
                           FloatX16 *passed) const {
     if (impl->OccludesSingly())
-        return ForEachLane(active, [&](int i) { (*passed)[i] = Transmittance(rays.At(i), gaps); });
+        return ForEachLane(active, [&](int i) { passed->Set(i, Transmittance(rays.At(i), gaps)); });
     RTCRay16 r;
     SetRays(rays, &r);
     double product[kPacketSize];
     std::fill(product, product + kPacketSize, 1.);
     QueryContext context(rays, &gaps, product);
-    Occluded16(impl->scene, &context.embree, Valid(active).Data(), &r);
+    Occluded16(impl->scene, &context.embree, Valid(active).lanes, &r);
     const LaneBits ended = Ended(r, active);
-    ForEachLane(active, [&](int i) { (*passed)[i] = ended >> i & 1 ? 0 : float(product[i]); });
+    ForEachLane(active, [&](int i) { passed->Set(i, ended >> i & 1 ? 0 : float(product[i])); });
 }
 
 }  // namespace pbrt

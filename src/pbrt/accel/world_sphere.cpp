@@ -37,57 +37,29 @@ std::optional<WorldSphere> WorldSphere::Of(const Shape &shape) {
 
 namespace {
 
-// Eight numbers in double, and the functions of wide.h for them and for one.
-using Double8 = double __attribute__((vector_size(64)));
-using Long8 = int64_t __attribute__((vector_size(64)));
-using Float8 = float __attribute__((vector_size(32)));
-using Int8 = int32_t __attribute__((vector_size(32)));
-
-double Choose(bool condition, double a, double b) {
-    return condition ? a : b;
-}
-double Root(double a) {
-    return std::sqrt(a);
-}
-bool None(bool hit) {
-    return !hit;
-}
-Double8 Choose(Long8 mask, Double8 a, Double8 b) {
-    return mask ? a : b;
-}
-Double8 Root(Double8 a) {
-    for (int i = 0; i < 8; ++i)  // one instruction
-        a[i] = std::sqrt(a[i]);
-    return a;
-}
-bool None(Long8) {
-    return false;
-}
-
 /// Whether and where a ray meets a ball first in (0, tMax]; t has no meaning elsewhere.
-template <typename T, typename Mask>
+template <typename T>
 struct SphereHit {
-    Mask hit;
+    MaskFor<T> hit;
     T t;
 };
 
 /// For T one double or eight; o: from the ball's center. As CrossRadius in shapes/intersect.cpp,
 /// but of the two roots only the wanted one is computed.
 template <typename T>
-inline auto Intersect(T radius, Vec3<T> o, Vec3<T> d, T tMax) {
+inline SphereHit<T> Intersect(T radius, Vec3<T> o, Vec3<T> d, T tMax) {
     const T r2 = radius * radius;
     const T a = Dot(d, d), b = -Dot(o, d), c = Dot(o, o) - r2;
     const T discriminant = r2 * a - LengthSquared(Cross(o, d));
-    auto hit = (discriminant >= 0) & ((c <= 0) | (b > 0));
-    using Mask = decltype(hit);
-    if (None(hit)) return SphereHit<T, Mask>{hit, T{}};
-    const T root = Root(discriminant);
+    MaskFor<T> hit = (discriminant >= 0) & ((c <= 0) | (b > 0));
+    if (!Any(hit)) return {hit, T{}};
+    const T root = Sqrt(discriminant);
     // By comparison, not by its sign bit: from the center b may be -0.
-    const T q = b + Choose(b < 0, -root, root);
+    const T q = b + Select(b < 0, T(-root), root);
     const auto entering = (c > 0) | (b < 0);
-    const T t = Choose(entering, c, q) / Choose(entering, q, a);
+    const T t = Select(entering, c, q) / Select(entering, q, a);
     hit = hit & (t > 0) & (t <= tMax);
-    return SphereHit<T, Mask>{hit, t};
+    return {hit, t};
 }
 
 /// Of any packet width.
@@ -103,9 +75,9 @@ bool MeetsRay(const WorldSphere &ball, RTCRayN *r, unsigned n, unsigned i, doubl
 /// Lanes that a test in float cannot rule out: its terms are off by less than 16 roundings of
 /// |o|^2 |d|^2, and twice that is granted.
 LaneBits MayMeet(const WorldSphere &ball, const RTCRay16 &r) {
-    const Vector3fX16 d{LoadWide(r.dir_x), LoadWide(r.dir_y), LoadWide(r.dir_z)};
-    const Vector3fX16 o{LoadWide(r.org_x) - ball.center.x, LoadWide(r.org_y) - ball.center.y,
-                        LoadWide(r.org_z) - ball.center.z};
+    const Vector3fX16 d{LoadX16(r.dir_x), LoadX16(r.dir_y), LoadX16(r.dir_z)};
+    const Vector3fX16 o{LoadX16(r.org_x) - ball.center.x, LoadX16(r.org_y) - ball.center.y,
+                        LoadX16(r.org_z) - ball.center.z};
     const FloatX16 b = -Dot(o, d);
     const FloatX16 outside =
         Dot(o, o) * (1 - 2e-6f) - float(ball.radius * ball.radius) * (1 + 1e-6f);
@@ -113,44 +85,33 @@ LaneBits MayMeet(const WorldSphere &ball, const RTCRay16 &r) {
     return ~BitsOf(misses);
 }
 
-/// Lanes of a packet and where they meet the ball.
-struct SphereHitX16 {
-    MaskX16 hit;
-    FloatX16 t;
-};
-
-template <int kHalf>
-Double8 Half(const float *from) {
-    Float8 v;
-    __builtin_memcpy(&v, from + 8 * kHalf, sizeof v);
-    return __builtin_convertvector(v, Double8);
+/// Eight rays of a packet in double.
+SphereHit<DoubleX8> IntersectHalf(const WorldSphere &ball, const RTCRay16 &r, int first) {
+    const auto load = [first](const float *from) {
+        return Convert<double>(Simd<float, 8>::Load(from + first));
+    };
+    const Vec3<DoubleX8> o{load(r.org_x) - double(ball.center.x),
+                           load(r.org_y) - double(ball.center.y),
+                           load(r.org_z) - double(ball.center.z)};
+    const Vec3<DoubleX8> d{load(r.dir_x), load(r.dir_y), load(r.dir_z)};
+    return Intersect<DoubleX8>(ball.radius, o, d, load(r.tfar));
 }
 
-template <int kHalf>
-void IntersectHalf(const WorldSphere &ball, const RTCRay16 &r, SphereHitX16 *met) {
-    const Vec3<Double8> o{Half<kHalf>(r.org_x) - double(ball.center.x),
-                          Half<kHalf>(r.org_y) - double(ball.center.y),
-                          Half<kHalf>(r.org_z) - double(ball.center.z)};
-    const Vec3<Double8> d{Half<kHalf>(r.dir_x), Half<kHalf>(r.dir_y), Half<kHalf>(r.dir_z)};
-    const auto m = Intersect<Double8>(Double8{} + ball.radius, o, d, Half<kHalf>(r.tfar));
-    const Int8 hit = __builtin_convertvector(m.hit, Int8);
-    const Float8 t = __builtin_convertvector(m.t, Float8);
-    __builtin_memcpy(reinterpret_cast<char *>(&met->hit) + 32 * kHalf, &hit, sizeof hit);
-    __builtin_memcpy(reinterpret_cast<char *>(&met->t) + 32 * kHalf, &t, sizeof t);
-}
-
-SphereHitX16 IntersectPacket(const WorldSphere &ball, const RTCRay16 &r, LaneBits lanes) {
-    SphereHitX16 met{};
-    if (lanes & 0xff) IntersectHalf<0>(ball, r, &met);
-    if (lanes & 0xff00) IntersectHalf<1>(ball, r, &met);
-    met.hit &= MaskOf(lanes);
-    return met;
+/// A packet's rays and where they meet the ball.
+SphereHit<FloatX16> IntersectPacket(const WorldSphere &ball, const RTCRay16 &r, LaneBits lanes) {
+    LaneBits hit = 0;
+    float t[kPacketSize] = {};
+    for (int first = 0; first < kPacketSize; first += 8) {
+        if ((lanes >> first & 0xff) == 0) continue;
+        const SphereHit<DoubleX8> half = IntersectHalf(ball, r, first);
+        hit |= BitsOf(half.hit) << first;
+        Store(Convert<float>(half.t), t + first);
+    }
+    return {MaskOf(hit & lanes), LoadX16(t)};
 }
 
 LaneBits ValidLanes(const int *valid) {
-    IntX16 v;
-    __builtin_memcpy(&v, valid, sizeof v);
-    return BitsOf(v);
+    return BitsOf(LoadX16(valid) != 0);
 }
 
 /// Calls one(lane, t) for each ray that meets the ball, or many(met) for all of a packet.
@@ -188,26 +149,26 @@ void IntersectBall(const WorldSphere &ball, uint32_t localId,
         RTCHitN_geomID(hits, n, i) = localId;
         RTCHitN_instID(hits, n, i, 0) = instance;
     };
-    const auto many = [&](const SphereHitX16 &met) {
+    const auto many = [&](const SphereHit<FloatX16> &met) {
         auto &packet = *reinterpret_cast<RTCRayHit16 *>(args->rayhit);
         const auto set = [&](auto value, auto *to) {
-            StoreWide(met.hit ? value : LoadWide(to), to);
+            Store(Select(met.hit, value, LoadX16(to)), to);
         };
         set(met.t, packet.ray.tfar);
-        set(FloatX16{}, packet.hit.u);
-        set(FloatX16{}, packet.hit.v);
-        set(UintX16{}, packet.hit.primID);
-        set(UintX16{} + localId, packet.hit.geomID);
-        set(UintX16{} + instance, packet.hit.instID[0]);
+        set(FloatX16(0), packet.hit.u);
+        set(FloatX16(0), packet.hit.v);
+        set(UintX16(0), packet.hit.primID);
+        set(UintX16(localId), packet.hit.geomID);
+        set(UintX16(instance), packet.hit.instID[0]);
     };
     ForEachThatMeets(ball, args->valid, rays, n, one, many);
 }
 
 void OccludedBall(const WorldSphere &ball, const RTCOccludedFunctionNArguments *args) {
     const auto one = [&](unsigned i, float) { RTCRayN_tfar(args->ray, args->N, i) = -Infinity; };
-    const auto many = [&](const SphereHitX16 &met) {
+    const auto many = [&](const SphereHit<FloatX16> &met) {
         float *const tfar = reinterpret_cast<RTCRay16 *>(args->ray)->tfar;
-        StoreWide(Select(met.hit, -Infinity, LoadWide(tfar)), tfar);
+        Store(Select(met.hit, -Infinity, LoadX16(tfar)), tfar);
     };
     ForEachThatMeets(ball, args->valid, args->ray, args->N, one, many);
 }

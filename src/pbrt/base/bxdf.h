@@ -8,7 +8,7 @@
 #include "pbrt/base/plug_in.h"
 #include "pbrt/spectra/sampled_spectrum.h"
 #include "pbrt/util/vecmath.h"
-#include "pbrt/util/wide.h"
+#include "pbrt/util/vecmath_simd.h"
 
 // The contract of a BxDF: the scattering of light at a point of a surface, in the local frame
 // there. Implementations are in pbrt/bxdfs/<name>_bxdf.h; the BxDFs that exist are those of the
@@ -72,7 +72,7 @@ struct BxDFSamples {
     std::array<SampledSpectrum, kPacketSize> f;
     Vector3fX16 wi{};
     FloatX16 pdf{};
-    FloatX16 eta = Broadcast16(1.f);
+    FloatX16 eta = Broadcast<16>(1.f);
     LaneBits valid = 0, specular = 0, nullTransmission = 0, transmission = 0;
 };
 

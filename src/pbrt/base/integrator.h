@@ -5,6 +5,7 @@
 #include <memory>
 #include <string_view>
 
+#include "pbrt/base/texture.h"
 #include "pbrt/scene/params.h"
 #include "pbrt/spectra/sampled_spectrum.h"
 #include "pbrt/util/vecmath.h"
@@ -14,11 +15,13 @@ namespace pbrt {
 struct RenderScene;
 class IndependentSampler;
 
-/// Rays traced; each thread counts its own.
+/// Rays traced, and values found out of range on the way; each thread counts its own.
 struct RayCounts {
     int64_t closest = 0, shadow = 0;
+    ClampCounts clamped;
     RayCounts &operator+=(const RayCounts &b) {
-        return closest += b.closest, shadow += b.shadow, *this;
+        closest += b.closest, shadow += b.shadow, clamped += b.clamped;
+        return *this;
     }
 };
 

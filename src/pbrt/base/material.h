@@ -47,8 +47,9 @@ struct MaterialTraits {
     /// "barbules"; empty where nothing does. Textures are not meant. With it a mesh without uv gets
     /// a warning that names it.
     bool laidByUV = false;
-    /// Has `std::string Warnings() const`: after rendering, a sentence about values out of range
-    /// that were met (see BoundedTexture), else empty. Without it they go unnoticed.
+    /// Has `std::string Warnings(const ClampCounts &) const`: after rendering, a sentence about
+    /// values out of range that were met (see BoundedTexture), else empty. Without it they go
+    /// unnoticed.
     bool warns = false;
 };
 
@@ -81,8 +82,8 @@ concept HasLaidByUV = requires(const M m) {
     { m.LaidByUV() } -> std::same_as<std::string_view>;
 };
 template <typename M>
-concept HasWarnings = requires(const M m) {
-    { m.Warnings() } -> std::same_as<std::string>;
+concept HasWarnings = requires(const M m, const ClampCounts &counts) {
+    { m.Warnings(counts) } -> std::same_as<std::string>;
 };
 template <typename M>
 concept HasPacketInput = requires(const M m, const TextureEvalContext &ctx,

@@ -6,7 +6,7 @@
 
 #include "pbrt/base/plug_in.h"
 #include "pbrt/util/vecmath.h"
-#include "pbrt/util/wide.h"
+#include "pbrt/util/vecmath_simd.h"
 
 // The contract of a sampler: the random numbers of a path. The closed list of samplers is in
 // pbrt/samplers/samplers.h.
@@ -57,8 +57,9 @@ concept HasBatches = requires(S s, std::span<const Point2i> pixels, int dimensio
 ///   Get1D()                  the next draw, in [0, 1)
 ///   Get2D()                  the next draw, in [0, 1)^2
 ///
-/// The same seed, pixel, index and dimension give the same numbers, in any order. Each draw is
-/// uniform over the samples of all pixels, and so are pairs of draws.
+/// kExamples give no seed and take all randomness that there is. The same seed, pixel, index and
+/// dimension give the same numbers, in any order. Each draw is uniform over the samples of all
+/// pixels, and so are pairs of draws.
 template <typename S>
 concept SamplerType = PlugInType<S> && std::copyable<S> &&
     requires(S s, const S fixed, ParamDict &params, const SamplerContext &context, Point2i pixel) {

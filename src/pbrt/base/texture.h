@@ -5,10 +5,13 @@
 #include <memory>
 #include <optional>
 
+#include <cstdint>
+#include <utility>
+#include <vector>
 #include "pbrt/base/plug_in.h"
 #include "pbrt/spectra/spectrum.h"
 #include "pbrt/util/vecmath.h"
-#include "pbrt/util/wide.h"
+#include "pbrt/util/vecmath_simd.h"
 
 // The contract of a texture: a number or a spectrum that varies over surfaces. The closed list of
 // them is in pbrt/textures/textures.h; what materials hold are the handles FloatTexture and
@@ -26,12 +29,36 @@ inline TextureFootprint<float> Lane(const TextureFootprint<FloatX16> &f, int i) 
     return {Lane(f.dpdx, i), Lane(f.dpdy, i), f.dudx[i], f.dudy[i], f.dvdx[i], f.dvdy[i]};
 }
 
+/// How often values had to be clamped to their ranges, by whose they are; one for each thread.
+class ClampCounts {
+  public:
+    void Add(const void *whose, int64_t n = 1) {
+        for (auto &[known, count] : counts)
+            if (known == whose) return void(count += n);
+        counts.emplace_back(whose, n);
+    }
+    int64_t Of(const void *whose) const {
+        for (const auto &[known, count] : counts)
+            if (known == whose) return count;
+        return 0;
+    }
+    ClampCounts &operator+=(const ClampCounts &b) {
+        for (const auto &[whose, count] : b.counts)
+            Add(whose, count);
+        return *this;
+    }
+
+  private:
+    std::vector<std::pair<const void *, int64_t>> counts;  ///< few, most often none
+};
+
 /// Where a texture is looked up. `p` in rendering space.
 struct TextureEvalContext : TextureFootprint<float> {
     Point3f p;
     Normal3f n;
     Point2f uv;
-    int faceIndex = 0;  ///< the mesh's face index, else the number of the primitive
+    int faceIndex = 0;               ///< the mesh's face index, else the number of the primitive
+    ClampCounts *clamped = nullptr;  ///< counts values out of range, unless null
 };
 
 /// A texture that is more than a constant; immutable.

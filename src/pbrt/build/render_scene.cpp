@@ -84,19 +84,21 @@ TextureFootprint<T> RenderScene::FootprintAt(const SurfaceInteractionT<T> &sp) c
     return f;
 }
 
-TextureEvalContext RenderScene::TextureContext(const SurfaceInteraction &sp) const {
-    TextureEvalContext ctx{{}, sp.p, sp.n, sp.uv, sp.faceIndex};
+TextureEvalContext RenderScene::TextureContext(const SurfaceInteraction &sp,
+                                               ClampCounts *clamped) const {
+    TextureEvalContext ctx{{}, sp.p, sp.n, sp.uv, sp.faceIndex, clamped};
     if (filtersTextures) static_cast<TextureFootprint<float> &>(ctx) = FootprintAt(sp);
     return ctx;
 }
 
 void RenderScene::TextureContexts(const SurfaceInteractionX16 &sp, LaneBits lanes,
+                                  ClampCounts *clamped,
                                   std::array<TextureEvalContext, kPacketSize> *contexts) const {
     TextureFootprint<FloatX16> steps{};
     if (filtersTextures) steps = FootprintAt(sp);
     ForEachLane(lanes, [&](int i) {
-        (*contexts)[size_t(i)] = {Lane(steps, i), Lane(sp.p, i), Lane(sp.n, i), Lane(sp.uv, i),
-                                  sp.faceIndex[i]};
+        (*contexts)[size_t(i)] = {Lane(steps, i), Lane(sp.p, i),   Lane(sp.n, i),
+                                  Lane(sp.uv, i), sp.faceIndex[i], clamped};
     });
 }
 

@@ -49,18 +49,21 @@ struct RenderScene {
                                     LaneBits lanes) const;
     /// Point and frames only; see pbrt::SurfaceAtWithoutError.
     SurfaceInteraction SurfaceAtWithoutError(const Hit &hit, const Ray &ray) const;
-    TextureEvalContext TextureContext(const SurfaceInteraction &sp) const;
+    /// `clamped`: counts values out of range, unless null.
+    TextureEvalContext TextureContext(const SurfaceInteraction &sp,
+                                      ClampCounts *clamped = nullptr) const;
     /// TextureContext for the given lanes.
-    void TextureContexts(const SurfaceInteractionX16 &sp, LaneBits lanes,
+    void TextureContexts(const SurfaceInteractionX16 &sp, LaneBits lanes, ClampCounts *clamped,
                          std::array<TextureEvalContext, kPacketSize> *contexts) const;
 
     const MixMaterial *AsMix(MaterialId id) const {
         return id >= kFirstMix ? &mixes[id - kFirstMix] : nullptr;
     }
     /// The material that a ray of direction d meets, where `id` is a mix.
-    MaterialId MaterialMet(MaterialId id, const SurfaceInteraction &sp, Vector3f d) const {
+    MaterialId MaterialMet(MaterialId id, const SurfaceInteraction &sp, Vector3f d,
+                           ClampCounts *clamped = nullptr) const {
         while (const MixMaterial *mix = AsMix(id))
-            [[unlikely]] id = mix->Choose(TextureContext(sp), d, id);
+            [[unlikely]] id = mix->Choose(TextureContext(sp, clamped), d, id);
         return id;
     }
     /// Geometries below this stand in the scene as they are; the others only in instances.

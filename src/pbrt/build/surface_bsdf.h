@@ -36,9 +36,11 @@ DiffuseBxDF DiffuseOf(const B &bxdf, Vector3f wo) {
 
 template <typename F>
 decltype(auto) VisitBSDF(const RenderScene &scene, const Hit &hit, const SurfaceInteraction &sp,
-                         const Ray &ray, SampledWavelengths *lambda, F &&visit) {
-    const MaterialId id = scene.MaterialMet(scene.geometries[hit.geometry].material, sp, ray.d);
-    const TextureEvalContext ctx = scene.TextureContext(sp);
+                         const Ray &ray, SampledWavelengths *lambda, ClampCounts *clamped,
+                         F &&visit) {
+    const MaterialId id =
+        scene.MaterialMet(scene.geometries[hit.geometry].material, sp, ray.d, clamped);
+    const TextureEvalContext ctx = scene.TextureContext(sp, clamped);
     return Dispatch(scene.materials.Data()[id], [&](const auto &material) {
         const Frame frame = BSDFFrame(material, sp, ctx, ray.d);
         const auto bxdf = material.GetBxDF(ctx, *lambda);

@@ -12,7 +12,7 @@ std::optional<VisibleSurface> FindVisibleSurface(const RenderScene &scene, const
     VisibleSurface seen{sp.p, sp.n, sp.ns, sp.uv, {}, {}, {}};
     ApproximateStep(scene.camera, sp.p, sp.n, 1, &seen.dpdx, &seen.dpdy);
     seen.albedo =
-        VisitBSDF(scene, hit, sp, ray, &lambda, [&](const Frame &frame, const auto &bxdf) {
+        VisitBSDF(scene, hit, sp, ray, &lambda, nullptr, [&](const Frame &frame, const auto &bxdf) {
             return AlbedoOf(bxdf, frame.ToLocal(-ray.d));
         });
     return seen;

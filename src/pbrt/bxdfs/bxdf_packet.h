@@ -21,7 +21,7 @@ class OneByOnePacket {
             const BSDFEval both = pbrt::Evaluate(*lanes[size_t(i)], Lane(wo, i), Lane(wi, i),
                                                  TransportMode::Radiance);
             values.f[size_t(i)] = both.f;
-            values.pdf[i] = both.pdf;
+            values.pdf.Set(i, both.pdf);
         });
         return values;
     }
@@ -35,8 +35,8 @@ class OneByOnePacket {
             if (!s) return;
             samples.f[size_t(i)] = s->f;
             SetLane(&samples.wi, i, s->wi);
-            samples.pdf[i] = s->pdf;
-            samples.eta[i] = s->eta;
+            samples.pdf.Set(i, s->pdf);
+            samples.eta.Set(i, s->eta);
             samples.valid |= LaneBits(1) << i;
             samples.specular |= LaneBits(IsSpecular(s->flags)) << i;
             samples.nullTransmission |= LaneBits(Has(s->flags, BxDFFlags::NullTransmission)) << i;

@@ -3,20 +3,12 @@
 namespace pbrt {
 namespace {
 
-using V = feather::Lanes<float>;
+using V = FloatX16;
 using ModelSpectrum = feather::Barbule<V, NSpectrumSamples>::Spectrum;
 
-V ToLanes(const FloatX16 &x) {
-    return V::At(reinterpret_cast<const float *>(&x));
-}
-FloatX16 ToWide(const V &x) {
-    FloatX16 wide;
-    x.Store(reinterpret_cast<float *>(&wide));
-    return wide;
-}
 /// Where a lane is not active, a direction from which nothing is seen.
 feather::Direction<V> Local(const Vector3fX16 &w, LaneBits active) {
-    return {ToLanes(w.x), ToLanes(w.y), ToLanes(Select(MaskOf(active), w.z, 0.f))};
+    return {w.x, w.y, Select(MaskOf(active), w.z, 0)};
 }
 FeatherBarbulePacket::Spectra SpectraOf(const ModelSpectrum &values) {
     FeatherBarbulePacket::Spectra spectra;
@@ -63,7 +55,7 @@ FeatherBarbulePacket::LobeValues FeatherBarbulePacket::Lobes(const Vector3fX16 &
 
 FloatX16 FeatherBarbulePacket::PDF(const Vector3fX16 &wo, const Vector3fX16 &wi, LaneBits active) {
     const Model &model = Barbules();
-    return ToWide(model.PDF(model.SeenFrom(Local(wo, active)), Local(wi, active)));
+    return model.PDF(model.SeenFrom(Local(wo, active)), Local(wi, active));
 }
 
 BxDFValues FeatherBarbulePacket::Evaluate(const Vector3fX16 &wo, const Vector3fX16 &wi,
@@ -71,7 +63,7 @@ BxDFValues FeatherBarbulePacket::Evaluate(const Vector3fX16 &wo, const Vector3fX
     const Model &model = Barbules();
     const feather::Direction<V> in = Local(wi, active);
     const feather::View<V> view = model.SeenFrom(Local(wo, active));
-    return {SpectraOf(model.f(view, in)), ToWide(model.PDF(view, in))};
+    return {SpectraOf(model.f(view, in)), model.PDF(view, in)};
 }
 
 BxDFSamples FeatherBarbulePacket::Draw(const Vector3fX16 &wo, const FloatX16 &uc,
@@ -94,13 +86,13 @@ BxDFSamples FeatherBarbulePacket::Sample(const Vector3fX16 &wo, const FloatX16 &
 BxDFSamples FeatherBarbulePacket::Draw(const feather::View<V> &view, const Vector3fX16 &wo,
                                        const FloatX16 &uc, const Point2fX16 &u, LaneBits active) {
     const Model &model = *barbules;
-    const auto [wi, isGap] = model.Draw(view, ToLanes(uc), ToLanes(u.x), ToLanes(u.y));
+    const auto [wi, isGap] = model.Draw(view, uc, u.x, u.y);
     BxDFSamples samples;
-    samples.wi = {ToWide(wi.x), ToWide(wi.y), ToWide(wi.z)};
-    samples.nullTransmission = samples.specular = feather::BitsOf(isGap) & active;
-    const FloatX16 pdf = ToWide(model.PDF(view, wi)), chance = ToWide(1 - view.pigmentChance);
-    samples.pdf = Select(MaskOf(samples.nullTransmission), chance, pdf);
-    samples.valid = active & BitsOf(samples.pdf > 0.f) & ~feather::BitsOf(view.grazing);
+    samples.wi = {wi.x, wi.y, wi.z};
+    samples.nullTransmission = samples.specular = BitsOf(isGap) & active;
+    samples.pdf =
+        Select(MaskOf(samples.nullTransmission), 1 - view.pigmentChance, model.PDF(view, wi));
+    samples.valid = active & BitsOf(samples.pdf > 0.f) & ~BitsOf(view.grazing);
     samples.transmission = samples.nullTransmission | BitsOf((samples.wi.z < 0.f) != (wo.z < 0.f));
     ForEachLane(samples.nullTransmission,
                 [&](int i) { samples.f[size_t(i)] = SampledSpectrum(1 / std::abs(wo.z[i])); });

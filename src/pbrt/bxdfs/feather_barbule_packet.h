@@ -32,7 +32,7 @@ class FeatherBarbulePacket {
                        LaneBits active);
 
   private:
-    using V = feather::Lanes<float>;
+    using V = FloatX16;
     using Model = feather::Barbule<V, NSpectrumSamples>;
 
     const Model &Barbules();

@@ -43,10 +43,10 @@ inline DielectricFresnel FrDielectric(float cosTheta_i, float eta) {
 /// found as a root and the other from it, so nothing cancels.
 inline SampledSpectrum RealPart(SampledSpectrum sum, SampledSpectrum difference,
                                 SampledSpectrum two_ab) {
-    const SampledSpectrum::Lanes d = difference.Values();
-    const SampledSpectrum larger = Sqrt(0.5f * (sum + SampledSpectrum(d < 0 ? -d : d)));
+    const FloatX4 d = difference.Values();
+    const SampledSpectrum larger = Sqrt(0.5f * (sum + SampledSpectrum(Abs(d))));
     const SampledSpectrum smaller = 0.5f * two_ab / larger;
-    return SampledSpectrum(d < 0 ? smaller.Values() : larger.Values());
+    return SampledSpectrum(Select(d < 0, smaller.Values(), larger.Values()));
 }
 
 /// Reflectance of unpolarised light at a metal of complex index eta + i k, relative to the near

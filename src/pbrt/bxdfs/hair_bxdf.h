@@ -40,12 +40,12 @@ class HairBxDF {
     }
     float PDF(Vector3f wo, Vector3f wi, TransportMode) const {
         const View view = SeenFrom(wo);
-        return SumOf(Densities(view, InclinationOf(wi), Azimuth(wo, wi)) * view.chance);
+        return pbrt::Sum(Densities(view, InclinationOf(wi), Azimuth(wo, wi)) * view.chance);
     }
     BSDFEval Evaluate(Vector3f wo, Vector3f wi, TransportMode) const {
         const View view = SeenFrom(wo);
-        const Lanes densities = Densities(view, InclinationOf(wi), Azimuth(wo, wi));
-        return {Sum(view, densities, wi), SumOf(densities * view.chance)};
+        const FloatX4 densities = Densities(view, InclinationOf(wi), Azimuth(wo, wi));
+        return {Sum(view, densities, wi), pbrt::Sum(densities * view.chance)};
     }
     std::optional<BSDFSample> Sample_f(Vector3f wo, float uc, Point2f u, TransportMode) const;
 
@@ -55,12 +55,12 @@ class HairBxDF {
     /// What scatters at the fibre as seen from wo.
     struct View {
         Inclination tilted;  ///< of wo, by lobe, turned by the scales
-        Lanes phi;           ///< azimuth at which each lobe leaves, relative to wo; not of the last
+        FloatX4 phi;         ///< azimuth at which each lobe leaves, relative to wo; not of the last
         std::array<SampledSpectrum, kLobes> attenuation;  ///< A_p
-        Lanes chance;                                     ///< of each lobe, in sampling
+        FloatX4 chance;                                   ///< of each lobe, in sampling
     };
 
-    static Lanes Variances(float beta_m);
+    static FloatX4 Variances(float beta_m);
     static float AzimuthalScale(float beta_n);
     static Inclination Tilts(float alpha);
     static Point2f InclinationOf(Vector3f w) { return {w.x, std::sqrt(Sqr(w.y) + Sqr(w.z))}; }
@@ -71,9 +71,9 @@ class HairBxDF {
     View SeenFrom(Vector3f wo) const;
     void SetAttenuation(View *view, float sin_o, float cos_o, float sinGamma_t) const;
     /// Of each lobe at the inclination `i` (sine, cosine) and azimuth, 1/sr.
-    Lanes Densities(const View &view, Point2f i, float azimuth) const;
+    FloatX4 Densities(const View &view, Point2f i, float azimuth) const;
     /// f is without the cosine of the surface that stands for the fibre.
-    static SampledSpectrum Sum(const View &view, Lanes densities, Vector3f wi);
+    static SampledSpectrum Sum(const View &view, FloatX4 densities, Vector3f wi);
 
     float h, gamma_o, eta;
     SampledSpectrum sigma_a;
@@ -84,9 +84,9 @@ class HairBxDF {
 static_assert(BxDFType<HairBxDF>);
 
 /// Variances of the lobes' inclinations; Chiang et al. 2016, eq. 7, TT and TRT as Marschner et al.
-inline Lanes HairBxDF::Variances(float beta_m) {
+inline FloatX4 HairBxDF::Variances(float beta_m) {
     const float v = Sqr(0.726f * beta_m + 0.812f * Sqr(beta_m) + 3.7f * std::pow(beta_m, 20.f));
-    return Lanes{v, v / 4, 4 * v, 4 * v};
+    return FloatX4{v, v / 4, 4 * v, 4 * v};
 }
 
 /// Chiang et al. 2016, eq. 8.
@@ -97,8 +97,8 @@ inline float HairBxDF::AzimuthalScale(float beta_n) {
 
 /// R turns by -2 alpha, TT by alpha, TRT by 4 alpha.
 inline Inclination HairBxDF::Tilts(float alpha) {
-    return {Lanes{std::sin(-2 * alpha), std::sin(alpha), std::sin(4 * alpha), 0},
-            Lanes{std::cos(-2 * alpha), std::cos(alpha), std::cos(4 * alpha), 1}};
+    return {FloatX4{std::sin(-2 * alpha), std::sin(alpha), std::sin(4 * alpha), 0},
+            FloatX4{std::cos(-2 * alpha), std::cos(alpha), std::cos(4 * alpha), 1}};
 }
 
 inline HairBxDF::View HairBxDF::SeenFrom(Vector3f wo) const {
@@ -110,7 +110,7 @@ inline HairBxDF::View HairBxDF::SeenFrom(Vector3f wo) const {
         std::clamp(h * cos_o / std::sqrt(std::max(Sqr(eta) - Sqr(sin_o), 1e-12f)), -1.f, 1.f);
     // 2 p gamma_t - 2 gamma_o + p pi.
     const float inside = 2 * std::asin(sinGamma_t) + Pi;
-    view.phi = Lanes{0, 1, 2, 0} * inside - 2 * gamma_o;
+    view.phi = FloatX4{0, 1, 2, 0} * inside - 2 * gamma_o;
     SetAttenuation(&view, sin_o, cos_o, sinGamma_t);
     return view;
 }
@@ -126,19 +126,19 @@ inline void HairBxDF::SetAttenuation(View *view, float sin_o, float cos_o, float
     A[2] = A[1] * through * R;
     // The geometric series of all further reflections; 1 - R through = T + R (1 - through).
     A[3] = A[2] * through * R / (SampledSpectrum(T + 1e-30f) + (SampledSpectrum(1) - through) * R);
-    const Lanes power{A[0].Average(), A[1].Average(), A[2].Average(), A[3].Average()};
-    view->chance = power / SumOf(power);
+    const FloatX4 power{A[0].Average(), A[1].Average(), A[2].Average(), A[3].Average()};
+    view->chance = power / pbrt::Sum(power);
 }
 
-inline Lanes HairBxDF::Densities(const View &view, Point2f i, float azimuth) const {
+inline FloatX4 HairBxDF::Densities(const View &view, Point2f i, float azimuth) const {
     constexpr float kTurn = 2 * Pi;
-    const Lanes along = longitudinal.PDF({Broadcast(i.x), Broadcast(i.y)}, view.tilted);
-    const Lanes off = azimuth - view.phi;
-    const Lanes around = azimuthal.PDF(off - Round(off * (1 / kTurn)) * kTurn);
-    return along * Lanes{around[0], around[1], around[2], 1 / kTurn};
+    const FloatX4 along = longitudinal.PDF({i.x, i.y}, view.tilted);
+    const FloatX4 off = azimuth - view.phi;
+    const FloatX4 around = azimuthal.PDF(off - Round(off * (1 / kTurn)) * kTurn);
+    return along * FloatX4{around[0], around[1], around[2], 1 / kTurn};
 }
 
-inline SampledSpectrum HairBxDF::Sum(const View &view, Lanes densities, Vector3f wi) {
+inline SampledSpectrum HairBxDF::Sum(const View &view, FloatX4 densities, Vector3f wi) {
     const float cosine = AbsCosTheta(wi);
     if (cosine < 1e-20f) return SampledSpectrum(0);
     SampledSpectrum sum = densities[0] * view.attenuation[0];
@@ -163,8 +163,8 @@ inline std::optional<BSDFSample> HairBxDF::Sample_f(Vector3f wo, float uc, Point
     const SinCos turn = SinCosTurns(azimuth * (InvPi / 2));
     const Vector3f wi{i.x, i.y * (across.x * turn.cos - across.y * turn.sin),
                       i.y * (across.y * turn.cos + across.x * turn.sin)};
-    const Lanes densities = Densities(view, i, azimuth);
-    const float pdf = SumOf(densities * view.chance);
+    const FloatX4 densities = Densities(view, i, azimuth);
+    const float pdf = pbrt::Sum(densities * view.chance);
     const SampledSpectrum f = Sum(view, densities, wi);
     if (!(pdf > 0) || !f) return {};
     const BxDFFlags side = SameHemisphere(wo, wi) ? BxDFFlags::Reflection : BxDFFlags::Transmission;

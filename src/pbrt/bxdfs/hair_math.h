@@ -1,6 +1,7 @@
 #pragma once
 
-#include "pbrt/util/lanes.h"
+#include "pbrt/simd/permute.h"
+#include "pbrt/util/math.h"
 
 namespace pbrt {
 
@@ -16,8 +17,8 @@ class TrimmedLogistic {
     explicit TrimmedLogistic(float s) : s(s), mass(std::tanh(Pi / (2 * s))), peak(1 / (s * mass)) {}
 
     /// Density of an angle in [-pi, pi].
-    Lanes PDF(Lanes x) const {
-        const Lanes e = Exp(Max(Abs(x) * (-1 / s), Broadcast(kFloor)));
+    FloatX4 PDF(FloatX4 x) const {
+        const FloatX4 e = Exp(Max(Abs(x) * (-1 / s), kFloor));
         return peak * e / ((1 + e) * (1 + e));
     }
     /// The angle at which the cumulated density is u in [0, 1); to within 2^-25 of the mass at each
@@ -33,7 +34,7 @@ class TrimmedLogistic {
 
 /// A direction's angle with the plane normal to the fibre.
 struct Inclination {
-    Lanes sin, cos;
+    FloatX4 sin, cos;
 };
 
 /// Inclinations of scattered light: d'Eon et al. 2011, "An Energy-Conserving Hair Reflectance
@@ -45,27 +46,28 @@ struct Inclination {
 /// or cancels however small v is. Relative error 1e-6 for v >= 1e-5 and unit (sin, cos).
 class Longitudinal {
   public:
-    explicit Longitudinal(Lanes variance)
+    explicit Longitudinal(FloatX4 variance)
         : v(variance),
           inverse(1 / variance),
           tail(Exp(-2 * inverse)),
           scale(inverse / (1 - tail)) {}
 
-    Lanes PDF(Inclination i, Inclination o) const {
-        const Lanes a = i.cos * o.cos * inverse;
-        const Lanes dCos = i.cos - o.cos, dSin = i.sin + o.sin;
-        const Lanes E = (dCos * dCos + dSin * dSin) * (-0.5f * inverse);
+    FloatX4 PDF(Inclination i, Inclination o) const {
+        const FloatX4 a = i.cos * o.cos * inverse;
+        const FloatX4 dCos = i.cos - o.cos, dSin = i.sin + o.sin;
+        const FloatX4 E = (dCos * dCos + dSin * dSin) * (-0.5f * inverse);
         // I0 by two polynomials, own minimax fits, relative error 1.2e-7: in (a / 5)^2 below 5,
         // where the factor e^-a goes into the exponent, and in 5 / a above.
         const auto isSmall = a < 5;
-        const Lanes below = Min(a * a * 0.04f, Broadcast(1)), above = 5 / Max(a, Broadcast(5));
-        const Lanes small = Polynomial(below, 0.999999991f, 6.25000188f, 9.76556959f, 6.78226123f,
-                                       2.64630752f, 0.669258604f, 0.105675354f, 0.020797392f);
-        const Lanes large =
-            Polynomial(above, 0.398942237f, 0.00997722117f, 0.00107175338f, 0.000483097047f,
-                       -0.000473671231f, 0.000547792264f, -0.000138651963f) *
+        const FloatX4 below = Min(a * a * 0.04f, 1), above = 5 / Max(a, 5);
+        const FloatX4 small =
+            EvaluatePolynomial(below, 0.999999991f, 6.25000188f, 9.76556959f, 6.78226123f,
+                               2.64630752f, 0.669258604f, 0.105675354f, 0.020797392f);
+        const FloatX4 large =
+            EvaluatePolynomial(above, 0.398942237f, 0.00997722117f, 0.00107175338f, 0.000483097047f,
+                               -0.000473671231f, 0.000547792264f, -0.000138651963f) *
             Sqrt(above * 0.2f);
-        return Exp(Max(isSmall ? E - a : E, Broadcast(kFloor))) * (isSmall ? small : large) * scale;
+        return Exp(Max(Select(isSmall, E - a, E), kFloor)) * Select(isSmall, small, large) * scale;
     }
 
     /// Sine and cosine of the incident inclination drawn for one lobe; u in [0, 1)^2. d'Eon et al.
@@ -81,11 +83,7 @@ class Longitudinal {
     }
 
   private:
-    template <typename... Cs>
-    static Lanes Polynomial(Lanes x, Cs... cs) {
-        return EvaluatePolynomial(x, Broadcast(cs)...);
-    }
-    Lanes v, inverse, tail, scale;
+    FloatX4 v, inverse, tail, scale;
 };
 
 }  // namespace pbrt

@@ -65,7 +65,7 @@ CameraView<T> ViewAt(const Camera &camera, Vec3<T> p) {
                 const CameraView<float> view = c.ViewAt(Lane(p, i));
                 SetLane(&views.direction, i, view.direction);
                 SetLane(&views.right, i, view.right);
-                views.step[i] = view.step;
+                views.step.Set(i, view.step);
             }
             return views;
         }

@@ -53,7 +53,7 @@ class ThinLensRays {
                 rays.Set(i, GenerateRay(Lane(film, i), Lane(lens, i), time[i]));
             return rays;
         }
-        return {At(origin, film), Normalize(At(direction, film)), Broadcast16(Infinity),
+        return {At(origin, film), Normalize(At(direction, film)), Broadcast<16>(Infinity),
                 placement.TimeAt(time)};
     }
 

@@ -143,14 +143,14 @@ void AddMetadata(const RenderScene &scene, const RenderStats &stats, ImageMetada
     metadata->ndcFromWorld = NDCFromWorld(scene.camera).Matrix();
 }
 
-void PrintWarnings(const RenderScene &scene) {
+void PrintWarnings(const RenderScene &scene, const ClampCounts &counts) {
     const auto print = [](const std::string &text) {
         if (!text.empty()) Say(fmt::format("Warning: {}\n", text));
     };
-    for (const std::string &text : scene.materials.Warnings())
+    for (const std::string &text : scene.materials.Warnings(counts))
         print(text);
     for (const MixMaterial &m : scene.mixes)
-        print(m.Warnings());
+        print(m.Warnings(counts));
 }
 
 /// Statistics to where they are wanted; the exit code.
@@ -196,7 +196,7 @@ int RenderAndWrite(const RenderTask &task, const Arguments &a, const Times &time
         &image, afterPass);
     progress.Finish(stats ? "done" : "stopped");
     if (!stats) return Stopped(*interrupts.First());
-    if (!a.quiet) PrintWarnings(scene);
+    if (!a.quiet) PrintWarnings(scene, stats->rays.clamped);
     AddMetadata(scene, *stats, &image.metadata);
     if (mse) image.metadata.mse = float(mse->Error());
     if (const auto why = WriteImageSomewhere(image, scene.film.FileName(), scene.film.Format())) {

@@ -1,25 +1,26 @@
 // Shows that the model compiles alone: no include path, nothing but the standard library.
 
+#include "../simd/math.h"
+#include "../simd/permute.h"
+#include "../simd/simd.h"
+#include "../simd/trig.h"
 #include "arc.h"
 #include "barbule.h"
 #include "bend.h"
 #include "direction.h"
 #include "dispersion.h"
 #include "facets.h"
+#include "fields.h"
 #include "gap.h"
-#include "lanes.h"
-#include "pack.h"
-#include "pack_halves.h"
 #include "params.h"
 #include "pigment.h"
 #include "pigment_fast.h"
-#include "pigment_lanes.h"
 #include "pigment_nodes.h"
 #include "pigment_rule.h"
+#include "pigment_x16.h"
 #include "quadrature.h"
 #include "row.h"
 #include "thin_film.h"
-#include "turns.h"
 #include "units.h"
 #include "vane.h"
 #include "view.h"
@@ -37,7 +38,7 @@ template class Bend<double>;
 template class Barbule<float, 4>;
 template class Barbule<double, 4>;
 template class Barbule<double, 4, Converged<16, 32>>;
-using Sixteen = Lanes<float>;
+using Sixteen = FloatX16;
 template std::array<Sixteen, 4> Barbule<Sixteen, 4>::f(const View<Sixteen> &,
                                                        const Direction<Sixteen> &) const;
 template Sixteen Barbule<Sixteen, 4>::PDF(const View<Sixteen> &, const Direction<Sixteen> &) const;

@@ -9,16 +9,16 @@
 #include <optional>
 #include <type_traits>
 
+#include "../simd/simd.h"
+#include "../simd/trig.h"
 #include "bend.h"
 #include "direction.h"
 #include "facets.h"
 #include "gap.h"
-#include "pack.h"
 #include "params.h"
 #include "pigment_fast.h"
 #include "row.h"
 #include "thin_film.h"
-#include "turns.h"
 #include "vane.h"
 #include "view.h"
 
@@ -26,18 +26,18 @@ namespace pbrt::feather {
 
 /// The feather's BSDF: glint off the keratin film (R), pigment return (TRT) and gap (T).
 ///
-/// N wavelengths at once. V: a scalar, or Lanes for the feathers at sixteen vertices side by side
-/// (see lanes.h), each as it would be alone but for rounding; floats' TRT, to 1e-3 of its value at
-/// worst. Directions are of Direction's local frame, on either side of the vane. R, TRT and f are
-/// in 1/sr without a cosine, >= 0, finite, symmetric in wo and wi, and 0 where |wo.z| or |wi.z| is
-/// Grazing. Nothing here is random but what the caller's numbers make so. `Quadrature` integrates
-/// TRT, see pigment_fast.h. Source: MODEL sections 3 to 7.
+/// N wavelengths at once. V: a scalar, or SimdX16 for the feathers at sixteen vertices side by
+/// side, each as it would be alone but for rounding; floats' TRT, to 1e-3 of its value at worst.
+/// Directions are of Direction's local frame, on either side of the vane. R, TRT and f are in 1/sr
+/// without a cosine, >= 0, finite, symmetric in wo and wi, and 0 where |wo.z| or |wi.z| is Grazing.
+/// Nothing here is random but what the caller's numbers make so. `Quadrature` integrates TRT, see
+/// pigment_fast.h. Source: MODEL sections 3 to 7.
 template <class V, int N, class Quadrature = AdaptiveRule>
 class Barbule {
     using T = ScalarOf<V>;
-    using Mask = MaskOf<V>;
-    /// Of a view's direction: a reference would keep all of the view alive. Over copies of Lanes
-    /// g++ 12 breaks down.
+    using Mask = MaskFor<V>;
+    /// How a view's direction is taken: scalars by value, for a reference would keep all of the
+    /// view in memory; vectors by reference, as everywhere (simd/registers.h).
     using Kept = std::conditional_t<std::floating_point<V>, Direction<V>, const Direction<V> &>;
 
   public:
@@ -51,8 +51,8 @@ class Barbule {
         : row(vane.row),
           bend(vane.bend),
           melanin(optics.melanin),
-          meanMelanin(Sum(optics.melanin) * (T(1) / N)),
-          averageFilm(Sum(optics.eta) * (T(1) / N)) {
+          meanMelanin(Mean(optics.melanin)),
+          averageFilm(Mean(optics.eta)) {
         for (int i = 0; i < N; ++i)
             films[i] = Film<V>(Nm<V>{optics.lambda[i]}, thickness, optics.eta[i]);
     }
@@ -148,6 +148,13 @@ class Barbule {
   private:
     static constexpr T kBelowOne = 1 - std::numeric_limits<T>::epsilon() / 2;
 
+    /// The mean of the wavelengths' values.
+    static V Mean(const Spectrum &values) {
+        V sum = values[0];
+        for (int i = 1; i < N; ++i)
+            sum = sum + values[i];
+        return sum * (T(1) / N);
+    }
     static V Finite(const V &x) { return Min(x, V(std::numeric_limits<T>::max())); }
     static Mask SameSide(const Direction<V> &a, const Direction<V> &b) {
         return SignOf(a.z) == SignOf(b.z);

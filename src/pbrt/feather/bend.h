@@ -6,9 +6,9 @@
 #include <limits>
 #include <tuple>
 
+#include "../simd/math.h"
 #include "arc.h"
 #include "direction.h"
-#include "lanes.h"
 #include "row.h"
 #include "units.h"
 
@@ -48,7 +48,7 @@ class Bend {
     V Opening() const { return opening; }
     V SinOpening() const { return sinOpening; }
 
-    /// All that a bend consists of, see lanes.h.
+    /// All that a bend consists of, see fields.h.
     auto Fields() { return std::tie(opening, sinOpening, cosOpening, halfTangent); }
     auto Fields() const { return std::tie(opening, sinOpening, cosOpening, halfTangent); }
 
@@ -57,7 +57,7 @@ class Bend {
 
     /// Whether the segment is part of the arc and w sees it; cos a >= 0.
     /// float: the range's end is off by up to 1e-7 rad.
-    MaskOf<V> Sees(const Direction<V> &w, const Segment<V> &a) const {
+    MaskFor<V> Sees(const Direction<V> &w, const Segment<V> &a) const {
         const V sinNear = Side(w) * a.sin;  // of a'
         const V sinXi = sinOpening * a.cos - cosOpening * sinNear;
         const V cosXi = cosOpening * a.cos + sinOpening * sinNear;
@@ -66,7 +66,7 @@ class Bend {
 
     /// False only if no facet of the arc has a normal along m (of any length): most pairs of
     /// directions end here, before anything is divided. A little too wide, for rounding.
-    MaskOf<V> MayHaveNormal(const Direction<V> &m) const {
+    MaskFor<V> MayHaveNormal(const Direction<V> &m) const {
         using T = ScalarOf<V>;
         constexpr T slack = 1 + 8 * std::numeric_limits<T>::epsilon();
         return m.y * m.y <= slack * sinOpening * sinOpening * (m.y * m.y + m.z * m.z);
@@ -85,10 +85,10 @@ class Bend {
     /// are any; SeenFrom without trigonometric functions.
     struct Shared {
         Arc<V> arc;
-        MaskOf<V> any;
+        MaskFor<V> any;
     };
     [[gnu::always_inline]] Shared SeenByBoth(const Direction<V> &wo, const Direction<V> &wi) const {
-        const MaskOf<V> all = SeesAll(wo) & SeesAll(wi);
+        const MaskFor<V> all = SeesAll(wo) & SeesAll(wi);
         const Arc<V> whole{{V(1), V(0)}, halfTangent};
         if (All(all)) return {whole, all};
         const Interval<Planar<V>> o = Ends(wo), i = Ends(wi);
@@ -135,7 +135,7 @@ class Bend {
     }
 
   private:
-    MaskOf<V> SeesAll(const Direction<V> &w) const {
+    MaskFor<V> SeesAll(const Direction<V> &w) const {
         return Abs(w.y) * sinOpening <= Abs(w.z) * cosOpening;
     }
 
@@ -145,7 +145,7 @@ class Bend {
         const V cosWidth = (y * y - z * z) * perSqr, sinWidth = 2 * y * z * perSqr;
         const Planar<V> far{cosOpening * cosWidth + sinOpening * sinWidth,
                             sinOpening * cosWidth - cosOpening * sinWidth};
-        const MaskOf<V> all = SeesAll(w), nearPlus = Side(w) > 0;
+        const MaskFor<V> all = SeesAll(w), nearPlus = Side(w) > 0;
         return {Select(all | !nearPlus, minus, far),
                 Select(all | nearPlus, plus, Planar<V>{far.n, -far.x})};
     }

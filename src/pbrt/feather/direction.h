@@ -1,8 +1,10 @@
 #pragma once
 
-#include "lanes.h"
+#include "../simd/math.h"
 
 namespace pbrt::feather {
+
+using pbrt::Select;  // of scalars, beside those of directions
 
 /// A unit vector that points away from the surface, in the local frame of the vane:
 /// z the surface normal, y along the barbules, x across them.
@@ -19,26 +21,26 @@ template <class V>
 
 /// Whether w counts as in the plane of the vane, from where nothing is seen.
 template <class V>
-[[gnu::always_inline]] constexpr MaskOf<V> Grazing(const Direction<V> &w) {
+[[gnu::always_inline]] constexpr MaskFor<V> Grazing(const Direction<V> &w) {
     using T = ScalarOf<V>;
     return (V(-T(1e-12)) < w.z) & (w.z < V(T(1e-12)));
 }
 
 template <class V>
-[[gnu::always_inline]] inline Direction<V> Select(const MaskOf<V> &mask, const Direction<V> &a,
+[[gnu::always_inline]] inline Direction<V> Select(const MaskFor<V> &mask, const Direction<V> &a,
                                                   const Direction<V> &b) {
     return {Select(mask, a.x, b.x), Select(mask, a.y, b.y), Select(mask, a.z, b.z)};
 }
 
 /// A vector in the plane across a barbule: n along the normal, x across (MODEL section 4.1). V is a
-/// scalar or a Pack: so many vectors.
+/// scalar or several: so many vectors.
 template <class V>
 struct Planar {
     V n, x;
 };
 
 template <class V>
-[[gnu::always_inline]] inline Planar<V> Select(const MaskOf<V> &mask, const Planar<V> &a,
+[[gnu::always_inline]] inline Planar<V> Select(const MaskFor<V> &mask, const Planar<V> &a,
                                                const Planar<V> &b) {
     return {Select(mask, a.n, b.n), Select(mask, a.x, b.x)};
 }

@@ -58,8 +58,8 @@ V FacetDensity(const Row<V> &row, const Bend<V> &bend, const Facet<V> &facet) {
 
 /// V_w(m): whether w sees the facet.
 template <class V>
-MaskOf<V> Sees(const Row<V> &row, const Bend<V> &bend, const Direction<V> &w,
-               const Facet<V> &facet) {
+MaskFor<V> Sees(const Row<V> &row, const Bend<V> &bend, const Direction<V> &w,
+                const Facet<V> &facet) {
     const auto seen = bend.Sees(w, facet.segment);
     if (!Any(seen)) return seen;
     return seen & row.SeenFrom(facet.segment.Across(w)).Sees(facet.point, facet.length);

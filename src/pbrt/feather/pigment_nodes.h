@@ -3,19 +3,18 @@
 #include <concepts>
 #include <limits>
 
+#include "../simd/math.h"
+#include "../simd/permute.h"
 #include "direction.h"
-#include "lanes.h"
-#include "pack_halves.h"
 #include "row.h"
 
 namespace pbrt::feather {
 
-// Planars and what else holds several packs are made in place and never copied: g++ copies such
-// structs through memory, and waits for it.
+// Structs of several vectors are made in place and never copied, see simd/registers.h.
 
 /// What is seen of some segments: the direction in the axes of the ellipse, and the first and the
-/// last point that it sees, counterclockwise. `Sides` are Lanes, or a Pack with the segments as wo
-/// sees them in one half and as wi does in the other.
+/// last point that it sees, counterclockwise. `Sides` are sixteen numbers, a segment each, or a
+/// vector with the segments as wo sees them in one half and as wi does in the other.
 template <class Sides>
 struct SegmentViews {
     Planar<Sides> axes;
@@ -79,7 +78,7 @@ struct CommonArcs {
         const Sides fromLength = Sqrt(fromSqr), toLength = Sqrt(toSqr);
         // All times both lengths. What is not finite is not selected.
         const Sides one = fromLength * toLength, onePlusSine = one + Cross(from, to);
-        const Sides scale = T(0.5) * (QuickInverseRoot(one) * QuickInverseRoot(onePlusSine));
+        const Sides scale = T(0.5) * (RsqrtApprox(one) * RsqrtApprox(onePlusSine));
         const Planar<Sides> a{from.n * toLength, from.x * toLength};
         const Planar<Sides> b{to.n * fromLength, to.x * fromLength};
         const auto valid = seen & (fromSqr > least) & (toSqr > least);
@@ -114,7 +113,7 @@ struct BearingScale {
     V least, perReach;
     [[gnu::always_inline]] explicit BearingScale(const RowView<V> &view)
         : least(ScalarOf<V>(1e-6) * view.reach * view.reach),
-          perReach(QuickInverse(Max(view.reach, V(ScalarOf<V>(1e-18))))) {}
+          perReach(RcpApprox(Max(view.reach, V(ScalarOf<V>(1e-18))))) {}
 };
 
 /// Of both halves of Sides: both halves of the result are the same.
@@ -130,7 +129,7 @@ template <class Sides, std::floating_point T>
     const At first = At::Of(g, views.first, scale.least), last = At::Of(g, views.last, scale.least);
     return CommonArcsOf(g, first, first.OtherSide(), last, last.OtherSide(), squash);
 }
-/// Lane by lane.
+/// Element by element.
 template <class V>
 [[gnu::always_inline]] inline CommonArcs<V> SeenByBoth(const SegmentViews<V> &o,
                                                        const SegmentViews<V> &i, const V &squash) {
@@ -166,16 +165,16 @@ class PigmentNodes {
     };
     template <class U>
     [[gnu::always_inline]] Values At(const U &point, const U &weight) const {
-        const V q = chord * point, alongSqr = 1 - q * q, perAlong = QuickInverseRoot(alongSqr);
+        const V q = chord * point, alongSqr = 1 - q * q, perAlong = RsqrtApprox(alongSqr);
         const V along = alongSqr * perAlong;
         const V n = along * middle.n - q * middle.x, x = along * stretched.x + q * stretched.n;
         // Squared lengths of the point and of its normal; cosines times the latter's root.
         const V nSqr = n * n, xSqr = x * x, length = nSqr + xSqr, normal = aspectSqr * xSqr + nSqr;
         const V o = Max(V(0), axesO.n * n + axesO.x * x), i = Max(V(0), axesI.n * n + axesI.x * x);
-        const V perNormal = QuickInverse(normal);
+        const V perNormal = RcpApprox(normal);
         return {o * o * perNormal, i * i * perNormal,
                 (share * weight) * (o * i) *
-                    (perAlong * QuickInverseRoot((length * normal) * (length * length)))};
+                    (perAlong * RsqrtApprox((length * normal) * (length * length)))};
     }
 
   private:

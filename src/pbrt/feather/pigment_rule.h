@@ -4,9 +4,9 @@
 #include <concepts>
 #include <cstddef>
 
+#include "../simd/math.h"
 #include "bend.h"
 #include "direction.h"
-#include "lanes.h"
 #include "quadrature.h"
 #include "row.h"
 #include "thin_film.h"
@@ -44,7 +44,7 @@ constexpr RulePoint<T> PointOf(int segment, int point) {
     }
 }
 
-/// Which rule integrates TRT of a pair of directions (or each pair of Lanes): 2 segments with
+/// Which rule integrates TRT of a pair of directions (or each of sixteen): 2 segments with
 /// interleaved points, or 3, 4, 6 or 8 segments; 4, 8 or 16 points in each.
 ///
 /// More segments where the arc is bent or seen along its slope, so that they differ more; most
@@ -65,11 +65,11 @@ struct RuleChoice {
         // By how much |w.z_a| changes along the arc, relative to its middle, is above `change`.
         const V slopeO = Abs(wo.y) * bend.SinOpening(), slopeI = Abs(wi.y) * bend.SinOpening(),
                 heightO = Abs(wo.z), heightI = Abs(wi.z);
-        const auto slanted = [&](T change) -> MaskOf<V> {
+        const auto slanted = [&](T change) -> MaskFor<V> {
             return (slopeO > change * heightO) | (slopeI > change * heightI);
         };
-        const MaskOf<V> alike = bend.Opening() * Max(V(1), fringes * T(0.4)) <= T(0.2);
-        const MaskOf<V> edgeOn = slanted(T(0.9)) & !slanted(T(1.6));
+        const MaskFor<V> alike = bend.Opening() * Max(V(1), fringes * T(0.4)) <= T(0.2);
+        const MaskFor<V> edgeOn = slanted(T(0.9)) & !slanted(T(1.6));
         // Of an arc whose segments are alike: between slopes, and beyond, 3.
         const V ofAlike = Select(slanted(T(0.6)) & !slanted(T(0.9)), V(4), V(3));
         segments = Select(alike, Select(slanted(T(0.3)), ofAlike, V(2)), V(4));

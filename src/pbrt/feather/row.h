@@ -6,15 +6,15 @@
 #include <limits>
 #include <tuple>
 
+#include "../simd/math.h"
 #include "direction.h"
-#include "lanes.h"
 #include "units.h"
 
 namespace pbrt::feather {
 
-/// What one in-plane direction w (or each of a Pack) sees of a row: on every unit circle the points
-/// E with E.u > 0 and q = E.t in [lower, upper] / reach, u being the unit vector along `image` and
-/// t u turned by +90 degrees. All is times `reach`, which saves dividing by it.
+/// What one in-plane direction w (or each of several) sees of a row: on every unit circle the
+/// points E with E.u > 0 and q = E.t in [lower, upper] / reach, u being the unit vector along
+/// `image` and t u turned by +90 degrees. All is times `reach`, which saves dividing by it.
 template <class V>
 struct RowView {
     Planar<V> image;  ///< of w under the affine map
@@ -41,7 +41,7 @@ struct RowView {
     }
 
     /// Whether w sees the point along `e` (any length; `length` is its length).
-    MaskOf<V> Sees(const Planar<V> &e, const V &length) const {
+    MaskFor<V> Sees(const Planar<V> &e, const V &length) const {
         const V q = Cross(image, e);
         return (Dot(image, e) > 0) & ((lower == -reach) | (q >= lower * length)) &
                ((upper == reach) | (q <= upper * length));
@@ -80,12 +80,12 @@ class Row {
     /// the circle of e to that of the normals.
     V Squash() const { return squash; }
 
-    /// All that a row consists of, see lanes.h.
+    /// All that a row consists of, see fields.h.
     auto Fields() { return FieldsOf(*this); }
     auto Fields() const { return FieldsOf(*this); }
 
     /// Barbules touch or interpenetrate: no direction sees a gap.
-    MaskOf<V> Closed() const { return stepSqr <= 4; }
+    MaskFor<V> Closed() const { return stepSqr <= 4; }
 
     /// An in-plane vector turned into the frame of the ellipse's axes, and back.
     template <class U>
@@ -107,7 +107,7 @@ class Row {
         using T = ScalarOf<V>;
         const Beam<U> b = BeamAlong(w);
         const U middle = -midSlope * b.z, half = b.shift * T(0.5);
-        // Selected, not branched to: a Pack has all cases at once.
+        // Selected, not branched to: several directions have all cases at once.
         const auto whole = b.shift >= 2 * b.reach, cross = 2 * b.shift > stepSqr * b.reach,
                    upperHidden = b.z > 0;
         const U lower =

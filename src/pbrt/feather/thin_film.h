@@ -7,8 +7,8 @@
 #include <numbers>
 #include <tuple>
 
-#include "lanes.h"
-#include "turns.h"
+#include "../simd/math.h"
+#include "../simd/trig.h"
 #include "units.h"
 
 namespace pbrt::feather {
@@ -29,13 +29,13 @@ class RoundTripTransmittance {
     RoundTripTransmittance() = default;
     RoundTripTransmittance(const V &turns, const V &excess, const V &invEtaSqr)
         : turnsSqr(turns * turns), invEtaSqr(invEtaSqr) {
-        sine = RoughSinSquaredPi<V>(excess * excess * turnsSqr * T(0.25));
+        sine = SinSquaredPiApprox<V>(excess * excess * turnsSqr * T(0.25));
         // Films below some 2 nm count as that thick, with their own contrast, lest Y underflows.
         turnsSqr = Max(turnsSqr, V(T(1e-4)));
         turnsSqrExcess = turnsSqr * excess;
     }
 
-    /// All that it consists of, see lanes.h.
+    /// All that it consists of, see fields.h.
     auto Fields() {
         return std::tuple_cat(std::tie(turnsSqr, turnsSqrExcess, invEtaSqr), sine.Fields());
     }
@@ -51,7 +51,7 @@ class RoundTripTransmittance {
                                       const U &cosineSqrOut) const {
         const U in = Max(cosineSqrIn, U(T(1e-6))), out = Max(cosineSqrOut, U(T(1e-6)));
         const Terms<U> i = At(in), o = At(out);
-        const U both = QuickInverse(i.s * o.s) + QuickInverse(i.p * o.p);
+        const U both = RcpApprox(i.s * o.s) + RcpApprox(i.p * o.p);
         return weight * (i.y * o.y) * both;
     }
 
@@ -70,7 +70,7 @@ class RoundTripTransmittance {
     }
 
     V turnsSqr, turnsSqrExcess, invEtaSqr;
-    RoughSinSquaredPi<V> sine;
+    SinSquaredPiApprox<V> sine;
 };
 
 /// The keratin film at one wavelength: a lossless layer with air on both sides.
@@ -129,9 +129,9 @@ struct Film {
     // At grazing incidence the fringes are as narrow as the cosine: the phase is reduced from
     // there, once and in double, so that float adds only what the cosine changes.
     static V PhaseAtGrazing(const V &lambda, const V &thickness, const V &eta) {
-        const auto n = ToDouble(eta), d = ToDouble(thickness);
-        const auto whole = 2 * d * Sqrt((n - 1) * (n + 1)) / ToDouble(lambda);
-        return FromDouble<ScalarOf<V>>(whole - Rint(whole));
+        const auto n = Convert<double>(eta), d = Convert<double>(thickness);
+        const auto whole = 2 * d * Sqrt((n - 1) * (n + 1)) / Convert<double>(lambda);
+        return Convert<ScalarOf<V>>(whole - Round(whole));
     }
 
     Terms Airy(const V &cosine) const {

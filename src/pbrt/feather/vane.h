@@ -4,6 +4,7 @@
 
 #include "bend.h"
 #include "direction.h"
+#include "fields.h"
 #include "gap.h"
 #include "params.h"
 #include "row.h"
@@ -21,10 +22,10 @@ struct Vane {
     explicit Vane(const BarbuleParams<ScalarOf<V>> &params) requires std::floating_point<V>
         : row(params.spacing, params.tilt, params.aspect), bend(params.opening) {}
 
-    /// Of Lanes: lane k becomes a copy of `one`.
+    /// V of sixteen: element k becomes a copy of `one`.
     void Set(int k, const Vane<ScalarOf<V>> &one) {
-        SetLane(k, row.Fields(), one.row.Fields());
-        SetLane(k, bend.Fields(), one.bend.Fields());
+        SetFields(k, row.Fields(), one.row.Fields());
+        SetFields(k, bend.Fields(), one.bend.Fields());
     }
 
     /// Share of light from w that passes straight through, T(w) = T(-w), in [0, 1].

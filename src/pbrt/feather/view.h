@@ -3,8 +3,8 @@
 #include <array>
 #include <concepts>
 
+#include "../simd/math.h"
 #include "direction.h"
-#include "lanes.h"
 
 namespace pbrt::feather {
 
@@ -15,7 +15,7 @@ struct View {
     Direction<V> wo;
     Direction<V> meanNormal;  ///< of the facets that wo sees, about
     V pigmentChance;          ///< probability of the TRT lobes, p_t
-    MaskOf<V> grazing;        ///< see Grazing: nothing is scattered
+    MaskFor<V> grazing;       ///< see Grazing: nothing is scattered
 };
 
 /// A drawn direction. `pdf` is of all lobes, 1/sr; for a gap it is the probability of the delta

@@ -50,24 +50,23 @@ Sensor Sensor::Create(ParamDict &params, const RGBColorSpace &space) {
     return sensor;
 }
 
-SampledSpectrum::Lanes Sensor::Matched(SampledSpectrum L, const SampledWavelengths &lambda) const {
-    using Lanes = SampledSpectrum::Lanes;
+FloatX4 Sensor::Matched(SampledSpectrum L, const SampledWavelengths &lambda) const {
     const SampledSpectrum pdf = lambda.PDF();
-    Lanes sum{};
+    FloatX4 sum{};
     for (int i = 0; i < NSpectrumSamples; ++i) {
         if (pdf[i] == 0) continue;
         const float at = lambda[i] - LambdaMin;
         const int k = std::min(int(at), int(LambdaMax - LambdaMin) - 1);
         const float t = at - float(k);
         const float *a = matching[size_t(k)].data(), *b = matching[size_t(k) + 1].data();
-        const Lanes va{a[0], a[1], a[2], a[3]}, vb{b[0], b[1], b[2], b[3]};
+        const FloatX4 va{a[0], a[1], a[2], a[3]}, vb{b[0], b[1], b[2], b[3]};
         sum += (va + (vb - va) * t) * (L[i] / pdf[i]);
     }
     return sum;
 }
 
 RGB Sensor::Response(SampledSpectrum L, const SampledWavelengths &lambda) const {
-    SampledSpectrum::Lanes sum = Matched(L, lambda) * imagingRatio;
+    FloatX4 sum = Matched(L, lambda) * imagingRatio;
     const float largest = std::max(sum[0], std::max(sum[1], sum[2]));
     if (largest > maxComponentValue) sum *= maxComponentValue / largest;
     return {sum[0], sum[1], sum[2]};
@@ -81,7 +80,7 @@ SampledSpectrum Sensor::Exposed(SampledSpectrum L) const {
 }
 
 RGB Sensor::ColorOf(SampledSpectrum reflectance, const SampledWavelengths &lambda) const {
-    const SampledSpectrum::Lanes c = Matched(reflectance * white.Sample(lambda), lambda);
+    const FloatX4 c = Matched(reflectance * white.Sample(lambda), lambda);
     return {c[0], c[1], c[2]};
 }
 

@@ -27,7 +27,7 @@ class Sensor {
     RGB ColorOf(SampledSpectrum reflectance, const SampledWavelengths &lambda) const;
 
   private:
-    SampledSpectrum::Lanes Matched(SampledSpectrum L, const SampledWavelengths &lambda) const;
+    FloatX4 Matched(SampledSpectrum L, const SampledWavelengths &lambda) const;
 
     float iso = 100, imagingRatio = 1, maxComponentValue = Infinity;
     /// Per whole nm from 360: the film's r, g, b matching curves (the fourth is padding) over the

@@ -41,11 +41,12 @@ class RandomWalkIntegrator {
             if (depth == maxDepth) return L;
             const Vector3f d = SampleUniformSphere(sampler->Get2D());
             beta *=
-                VisitBSDF(scene, hit, sp, ray, lambda, [&](const Frame &frame, const auto &bxdf) {
-                    const Vector3f wi = frame.ToLocal(d);
-                    return bxdf.f(frame.ToLocal(-ray.d), wi, TransportMode::Radiance) *
-                           (AbsCosTheta(wi) * 4 * Pi);
-                });
+                VisitBSDF(scene, hit, sp, ray, lambda, &counts->clamped,
+                          [&](const Frame &frame, const auto &bxdf) {
+                              const Vector3f wi = frame.ToLocal(d);
+                              return bxdf.f(frame.ToLocal(-ray.d), wi, TransportMode::Radiance) *
+                                     (AbsCosTheta(wi) * 4 * Pi);
+                          });
             if (!beta) return L;
             ray = {sp.OffsetOrigin(d), d, Infinity, ray.time};
         }

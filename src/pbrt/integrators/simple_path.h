@@ -57,24 +57,25 @@ class SimplePathIntegrator {
                 L +=
                     beta * pbrt::L(scene.lights[size_t(light)], sp.p, sp.n, sp.uv, -ray.d, *lambda);
             const bool last = depth == maxDepth;
-            VisitBSDF(scene, hit, sp, ray, lambda, [&](const Frame &frame, const auto &bxdf) {
-                const Vector3f wo = frame.ToLocal(-ray.d);
-                if (!last && sampleLights)
-                    L += beta *
-                         Direct(scene, sp, ray.time, frame, bxdf, wo, *lambda, sampler, counts);
-                const auto s = Scatter(bxdf, wo, sampler);
-                // Straight through is no bounce: what is found behind counts as before.
-                const bool straight = s && Has(s->flags, BxDFFlags::NullTransmission);
-                if (!s || s->pdf == 0 || (last && !straight))
-                    return void(beta = SampledSpectrum(0));
-                beta *= s->f * (AbsCosTheta(s->wi) / s->pdf);
-                const Vector3f d = straight ? ray.d : frame.FromLocal(s->wi);
-                ray = {sp.OffsetOrigin(d), d, Infinity, ray.time};
-                if (straight) return;
-                countsAll = !sampleLights || IsSpecular(s->flags);
-                previous = {sp.p, {}};
-                ++depth;
-            });
+            VisitBSDF(scene, hit, sp, ray, lambda, &counts->clamped,
+                      [&](const Frame &frame, const auto &bxdf) {
+                          const Vector3f wo = frame.ToLocal(-ray.d);
+                          if (!last && sampleLights)
+                              L += beta * Direct(scene, sp, ray.time, frame, bxdf, wo, *lambda,
+                                                 sampler, counts);
+                          const auto s = Scatter(bxdf, wo, sampler);
+                          // Straight through is no bounce: what is found behind counts as before.
+                          const bool straight = s && Has(s->flags, BxDFFlags::NullTransmission);
+                          if (!s || s->pdf == 0 || (last && !straight))
+                              return void(beta = SampledSpectrum(0));
+                          beta *= s->f * (AbsCosTheta(s->wi) / s->pdf);
+                          const Vector3f d = straight ? ray.d : frame.FromLocal(s->wi);
+                          ray = {sp.OffsetOrigin(d), d, Infinity, ray.time};
+                          if (straight) return;
+                          countsAll = !sampleLights || IsSpecular(s->flags);
+                          previous = {sp.p, {}};
+                          ++depth;
+                      });
         }
         return L;
     }

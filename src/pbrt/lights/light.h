@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "pbrt/spectra/spectrum.h"
-#include "pbrt/util/wide.h"
+#include "pbrt/util/vecmath_simd.h"
 
 namespace pbrt {
 
@@ -43,7 +43,7 @@ struct LightLiSamples {
     void Set(int i, const LightLiSample &s) {
         L[size_t(i)] = s.L;
         SetLane(&wi, i, s.wi);
-        pdf[i] = s.pdf;
+        pdf.Set(i, s.pdf);
         SetLane(&pLight, i, s.pLight);
         valid |= LaneBits(1) << i;
         delta |= LaneBits(s.delta) << i;

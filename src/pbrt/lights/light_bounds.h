@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pbrt/util/wide.h"
+#include "pbrt/util/vecmath_simd.h"
 
 namespace pbrt {
 
@@ -62,7 +62,7 @@ struct Receiver {
 template <AnyFloat T>
 T Importance(const ClusterOf<T> &c, const Receiver &to) {
     const Vec3<T> d{c.center.x - to.p.x, c.center.y - to.p.y, c.center.z - to.p.z};
-    const T invD = FastInverseRoot(Max(LengthSquared(d), c.radius * c.radius));
+    const T invD = RsqrtApprox(Max(LengthSquared(d), c.radius * c.radius));
     const T s = c.radius * invD;
     const T away = -Dot(c.axis, d);
     const T facing = Select(c.signedPower < 0, Abs(away), away) * invD;

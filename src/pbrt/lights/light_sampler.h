@@ -73,7 +73,7 @@ class LightSampler {
             const auto one = Sample(ctx.At(i), u[i]);
             if (!one) return;
             drawn.light[size_t(i)] = one->light;
-            drawn.pmf[i] = one->pmf;
+            drawn.pmf.Set(i, one->pmf);
             drawn.valid |= LaneBits(1) << i;
         });
         return drawn;

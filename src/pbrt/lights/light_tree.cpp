@@ -156,11 +156,11 @@ class LightTreeBuilder {
 void LightTree::Node::Set(int i, const ClusterOf<float> &c, int32_t to) {
     SetLane(&clusters.center, i, c.center);
     SetLane(&clusters.axis, i, c.axis);
-    clusters.radius[i] = c.radius;
-    clusters.spread[i] = c.spread;
-    clusters.cosTheta_e[i] = c.cosTheta_e;
-    clusters.signedPower[i] = c.signedPower;
-    child[i] = to;
+    clusters.radius.Set(i, c.radius);
+    clusters.spread.Set(i, c.spread);
+    clusters.cosTheta_e.Set(i, c.cosTheta_e);
+    clusters.signedPower.Set(i, c.signedPower);
+    child.Set(i, to);
 }
 
 void LightTree::ChildWeights(const Walk *walks, LaneBits lanes, Weights *weights) const {

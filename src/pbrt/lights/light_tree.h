@@ -122,7 +122,7 @@ inline SampledLights LightTree::Sample(const LightSampleContextX16 &ctx, const F
     }
     ForEachLane(drawn.valid, [&](int i) {
         drawn.light[size_t(i)] = ~walks[size_t(i)].at;
-        drawn.pmf[i] = walks[size_t(i)].pmf;
+        drawn.pmf.Set(i, walks[size_t(i)].pmf);
     });
     return drawn;
 }

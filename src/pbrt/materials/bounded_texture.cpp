@@ -4,13 +4,14 @@
 
 namespace pbrt {
 
-void BoundedTexture::AddRemark(std::string_view owner, std::string *remarks) const {
-    const int64_t n = range ? range->clamped.load() : 0;
+void BoundedTexture::AddWarning(std::string_view owner, const ClampCounts &counts,
+                                std::string *warnings) const {
+    const int64_t n = range ? counts.Of(range.get()) : 0;
     if (n == 0) return;
-    const FloatParam &row = range->row;
-    *remarks += fmt::format("{}{} \"{}\": {} texture values outside [{}, {}]{}{} clamped",
-                            remarks->empty() ? "" : "; ", owner, row.name, n, row.lo, row.hi,
-                            row.unit.empty() ? "" : " ", row.unit);
+    const FloatParam &row = *range;
+    *warnings += fmt::format("{}{} \"{}\": {} texture values outside [{}, {}]{}{} clamped",
+                             warnings->empty() ? "" : "; ", owner, row.name, n, row.lo, row.hi,
+                             row.unit.empty() ? "" : " ", row.unit);
 }
 
 }  // namespace pbrt

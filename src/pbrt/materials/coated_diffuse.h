@@ -31,7 +31,9 @@ struct CoatedDiffuseMaterial {
                                  alpha.y);
     }
     std::string_view LaidByUV() const { return roughness.LaidByUV(); }
-    std::string Warnings() const { return roughness.Warnings(kName); }
+    std::string Warnings(const ClampCounts &counts) const {
+        return roughness.Warnings(kName, counts);
+    }
 };
 static_assert(MaterialType<CoatedDiffuseMaterial>);
 

@@ -37,7 +37,9 @@ struct ConductorMaterial {
         return ConductorBxDF(SampledSpectrum(1), kOfR, alpha.x, alpha.y);
     }
     std::string_view LaidByUV() const { return roughness.LaidByUV(); }
-    std::string Warnings() const { return roughness.Warnings(kName); }
+    std::string Warnings(const ClampCounts &counts) const {
+        return roughness.Warnings(kName, counts);
+    }
 };
 static_assert(MaterialType<ConductorMaterial>);
 

@@ -25,7 +25,9 @@ struct DielectricMaterial {
         return DielectricBxDF(eta(lambda[0]), alpha.x, alpha.y);
     }
     std::string_view LaidByUV() const { return roughness.LaidByUV(); }
-    std::string Warnings() const { return roughness.Warnings(kName); }
+    std::string Warnings(const ClampCounts &counts) const {
+        return roughness.Warnings(kName, counts);
+    }
 };
 static_assert(MaterialType<DielectricMaterial>);
 

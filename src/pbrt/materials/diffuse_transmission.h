@@ -27,9 +27,9 @@ struct DiffuseTransmissionMaterial {
                                        ClampToUnit(s * transmittance.Evaluate(ctx, lambda)));
     }
     /// A sentence where texture values had to be clamped; else empty.
-    std::string Warnings() const {
+    std::string Warnings(const ClampCounts &counts) const {
         std::string text;
-        scale.AddRemark(kName, &text);
+        scale.AddWarning(kName, counts, &text);
         return text;
     }
 };

@@ -89,10 +89,10 @@ float FeatherBarbuleMaterial::NullTransmission(const TextureEvalContext &ctx, Ve
     return VaneAt(ctx, &room).GapFraction({w.x, w.y, w.z});
 }
 
-std::string FeatherBarbuleMaterial::Warnings() const {
+std::string FeatherBarbuleMaterial::Warnings(const ClampCounts &counts) const {
     std::string text;
     for (const BoundedTexture &texture : values)
-        texture.AddRemark(kName, &text);
+        texture.AddWarning(kName, counts, &text);
     return text;
 }
 

@@ -49,7 +49,7 @@ class FeatherBarbuleMaterial {
     template <typename Model, std::size_t N>
     Model ModelAt(const TextureEvalContext &ctx, const std::array<float, N> &nanometres) const;
     /// A sentence where texture values had to be clamped; else empty.
-    std::string Warnings() const;
+    std::string Warnings(const ClampCounts &counts) const;
 
   private:
     enum { Thickness, Spacing, Tilt, Aspect, Opening, Rotation };

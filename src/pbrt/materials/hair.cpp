@@ -72,10 +72,10 @@ SampledSpectrum HairMaterial::Absorption(const TextureEvalContext &ctx,
     return RGBColorSpace::sRGB().SampleUnbounded(sigma, lambda);
 }
 
-std::string HairMaterial::Warnings() const {
+std::string HairMaterial::Warnings(const ClampCounts &counts) const {
     std::string text;
     for (const BoundedTexture *t : {&eumelanin, &pheomelanin, &eta, &betaM, &betaN, &alpha})
-        t->AddRemark(kName, &text);
+        t->AddWarning(kName, counts, &text);
     return text;
 }
 

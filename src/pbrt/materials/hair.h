@@ -30,7 +30,7 @@ class HairMaterial {
                         betaM.Evaluate(ctx), beta_n, alpha.Evaluate(ctx));
     }
     /// A sentence where texture values had to be clamped; else empty.
-    std::string Warnings() const;
+    std::string Warnings(const ClampCounts &counts) const;
 
   private:
     enum class Pigment { SigmaA, Reflectance, Melanin };

@@ -40,12 +40,12 @@ std::string_view MaterialSet::LaidByUV(size_t i) const {
     });
 }
 
-std::vector<std::string> MaterialSet::Warnings() const {
+std::vector<std::string> MaterialSet::Warnings(const ClampCounts &counts) const {
     std::vector<std::string> sentences;
     for (const Material &material : materials) {
         Dispatch(material, [&]<typename M>(const M &m) {
             if constexpr (M::kTraits.warns)
-                if (std::string text = m.Warnings(); !text.empty())
+                if (std::string text = m.Warnings(counts); !text.empty())
                     sentences.push_back(std::move(text));
         });
     }

@@ -36,7 +36,7 @@ class MaterialSet {
     /// See MaterialTraits::laidByUV; empty where nothing is.
     std::string_view LaidByUV(size_t i) const;
     /// What each material noticed while rendering, one sentence for each that did.
-    std::vector<std::string> Warnings() const;
+    std::vector<std::string> Warnings(const ClampCounts &counts) const;
 
   private:
     std::vector<Material> materials;

@@ -41,9 +41,9 @@ MixMaterial MixMaterial::Create(ParamDict &params, const NamedTextures &textures
     return m;
 }
 
-std::string MixMaterial::Warnings() const {
+std::string MixMaterial::Warnings(const ClampCounts &counts) const {
     std::string text;
-    amount.AddRemark(kName, &text);
+    amount.AddWarning(kName, counts, &text);
     return text;
 }
 

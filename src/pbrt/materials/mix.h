@@ -34,7 +34,7 @@ struct MixMaterial {
         return HashFloat(ctx.p, d, index) < share ? materials[1] : materials[0];
     }
     /// A sentence where texture values had to be clamped; else empty.
-    std::string Warnings() const;
+    std::string Warnings(const ClampCounts &counts) const;
 };
 
 }  // namespace pbrt

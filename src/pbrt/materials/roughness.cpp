@@ -25,10 +25,10 @@ Roughness Roughness::Create(ParamDict &params, const NamedTextures &named) {
     return r;
 }
 
-std::string Roughness::Warnings(std::string_view owner) const {
+std::string Roughness::Warnings(std::string_view owner, const ClampCounts &counts) const {
     std::string along, across;
-    u.AddRemark(owner, &along);
-    v.AddRemark(owner, &across);
+    u.AddWarning(owner, counts, &along);
+    v.AddWarning(owner, counts, &across);
     if (along == across || across.empty()) return along;  // `roughness` is both
     return along.empty() ? across : along + "; " + across;
 }

@@ -25,7 +25,7 @@ struct Roughness {
         return differ ? "directions of roughness" : "";
     }
     /// See MaterialTraits::warns.
-    std::string Warnings(std::string_view owner) const;
+    std::string Warnings(std::string_view owner, const ClampCounts &counts) const;
 };
 
 }  // namespace pbrt

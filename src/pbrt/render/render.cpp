@@ -9,6 +9,7 @@
 #include <atomic>
 #include <bit>
 #include <chrono>
+#include <mutex>
 
 #include "pbrt/render/adaptive.h"
 
@@ -61,12 +62,10 @@ class TileLoop {
     /// Counts samples that were planned and are not needed.
     void Skip(int64_t samples) { done += samples; }
 
+    /// After the loop.
     RenderStats Stats() const {
         const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-        return {time.count(),
-                samples,
-                double(wanted) / double(film.Bounds().Area()),
-                {closest, shadow}};
+        return {time.count(), samples, double(wanted) / double(film.Bounds().Area()), rays};
     }
 
   private:
@@ -81,8 +80,8 @@ class TileLoop {
         samples += spp * int64_t(pixels.size());
         wanted += spp * inside;
         done += spp * int64_t(pixels.size());
-        closest += work.rays.closest;
-        shadow += work.rays.shadow;
+        const std::scoped_lock lock(mutex);
+        rays += work.rays;
         KeepGoing();
     }
     bool KeepGoing() {
@@ -97,7 +96,9 @@ class TileLoop {
     const RenderProgress &progress;
     tbb::task_arena arena;
     tbb::enumerable_thread_specific<std::unique_ptr<Tracer>> tracers;
-    std::atomic<int64_t> done{0}, samples{0}, wanted{0}, closest{0}, shadow{0};
+    std::atomic<int64_t> done{0}, samples{0}, wanted{0};
+    std::mutex mutex;
+    RayCounts rays;  ///< of finished tiles; guarded by mutex
     std::atomic<bool> stopped{false};
     std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
 };

@@ -12,8 +12,7 @@ class IndependentSampler {
   public:
     static constexpr std::string_view kName = "independent";
     static constexpr SamplerTraits kTraits{.hasBatches = true};
-    static constexpr std::array<std::string_view, 2> kExamples{
-        "", "\"integer pixelsamples\" 16 \"integer seed\" 3"};
+    static constexpr std::array<std::string_view, 2> kExamples{"", "\"integer pixelsamples\" 16"};
 
     explicit IndependentSampler(int samplesPerPixel = 4, int seed = 0)
         : samplesPerPixel(samplesPerPixel), seed(seed) {}
@@ -38,7 +37,7 @@ class IndependentSampler {
     Point2fX16 Get2D(int dimension, UintX16 pixel, UintX16 sampleIndex) const {
         // As Hash goes on.
         const Uint64X16 start =
-            Mix64((batch.At(pixel) + kGolden64) ^ __builtin_convertvector(sampleIndex, Uint64X16));
+            Mix64((batch.At(pixel) + kGolden64) ^ Convert<uint64_t>(sampleIndex));
         const Uint64X16 bits = Mix64(start + (uint64_t(dimension) + 1) * kGolden64);
         return {ToUnitFloat(HighHalf(bits)), ToUnitFloat(LowHalf(bits))};
     }

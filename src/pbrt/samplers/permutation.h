@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "pbrt/util/check.h"
-#include "pbrt/util/wide.h"
+#include "pbrt/util/vecmath_simd.h"
 
 namespace pbrt {
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "pbrt/util/wide.h"
+#include "pbrt/util/vecmath_simd.h"
 
 namespace pbrt {
 
@@ -17,8 +17,8 @@ class PixelTable {
     size_t Size() const { return values.size(); }
     uint32_t &operator[](size_t pixel) { return values[pixel]; }
     /// Of the sixteen pixels from `first` on.
-    UintX16 From(size_t first) const { return LoadWide(&values[first]); }
-    void SetFrom(size_t first, UintX16 v) { StoreWide(v, &values[first]); }
+    UintX16 From(size_t first) const { return LoadX16(&values[first]); }
+    void SetFrom(size_t first, UintX16 v) { Store(v, &values[first]); }
     /// Of pixel[lane] in each lane.
     UintX16 At(UintX16 pixel) const {
         return values.size() == kPacketSize ? Permute(From(0), pixel)

@@ -17,8 +17,8 @@ class StratifiedSampler {
   public:
     static constexpr std::string_view kName = "stratified";
     static constexpr SamplerTraits kTraits{.hasBatches = true};
-    static constexpr std::array<std::string_view, 4> kExamples{
-        "", "\"integer xsamples\" 5 \"integer ysamples\" 3", "\"bool jitter\" false",
+    static constexpr std::array<std::string_view, 3> kExamples{
+        "", "\"integer xsamples\" 5 \"integer ysamples\" 3",
         "\"integer xsamples\" 1 \"integer ysamples\" 1"};
 
     /// Without jitter samples lie in the cells' middles. Counts from 1 to 2^10.
@@ -63,11 +63,11 @@ class StratifiedSampler {
     int NextLane() {
         return block.Next([this](int first) {
             numbers = NumbersOf(uint32_t(first) + kLaneNumbers, Uint64X16{} + pixelBits,
-                                Broadcast16(index));
+                                Broadcast<16>(index));
         });
     }
     Numbers InBatch(int dimension, UintX16 pixel, UintX16 sampleIndex) const {
-        return NumbersOf(Broadcast16(uint32_t(dimension)), batch.At(pixel),
+        return NumbersOf(Broadcast<16>(uint32_t(dimension)), batch.At(pixel),
                          Select(sampleIndex < order.Size(), sampleIndex, UintX16{}));
     }
     Numbers NumbersOf(UintX16 dimension, const Uint64X16 &hashes, UintX16 sampleIndex) const;
@@ -90,8 +90,7 @@ inline StratifiedSampler::Numbers StratifiedSampler::NumbersOf(UintX16 dimension
     const UintX16 step = dimension * 0x9e3779b9;
     const UintX16 cell =
         order(sampleIndex, Mix32(step + LowHalf(hashes)), Mix32(step + HighHalf(hashes)));
-    const Uint64X16 sampleBits =
-        Mix64(hashes + kGolden64 * __builtin_convertvector(sampleIndex + 1, Uint64X16));
+    const Uint64X16 sampleBits = Mix64(hashes + kGolden64 * Convert<uint64_t>(sampleIndex + 1));
     const FloatX16 inX = middle + spread * ToUnitFloat(Mix32(step + LowHalf(sampleBits)));
     const FloatX16 inY = middle + spread * ToUnitFloat(Mix32(step + HighHalf(sampleBits)));
     const float width = 1 / xSamples, height = 1 / ySamples;

@@ -35,8 +35,7 @@ class ZSobolSampler {
     static constexpr SamplerTraits kTraits{.hasBatches = true};
     static constexpr std::array<std::string_view, 4> kExamples{
         "", "\"string randomization\" \"owen\" \"integer pixelsamples\" 32",
-        "\"string randomization\" \"permutedigits\" \"integer seed\" 9",
-        "\"integer pixelsamples\" 1"};
+        "\"string randomization\" \"permutedigits\"", "\"integer pixelsamples\" 1"};
 
     /// samplesPerPixel: a power of two up to 2^24; resolution up to 2^16 on each side.
     explicit ZSobolSampler(int samplesPerPixel = 16, Point2i fullResolution = {1, 1},
@@ -189,10 +188,10 @@ inline void ZSobolSampler::FillNumbers(int first) {
     PixelBlock &b = keep ? pixelBlocks[size_t(which)] : local;
     if (!keep || !(knownBlocks >> which & 1)) {
         b.keys = KeysOf(uint32_t(first) + kLaneNumbers);
-        b.place = PlaceOf(Broadcast16(morton), b.keys);
+        b.place = PlaceOf(Broadcast<16>(morton), b.keys);
         if (keep) knownBlocks |= uint32_t(1) << which;
     }
-    numbers = Numbers(b.place, b.keys, Broadcast16(index));
+    numbers = Numbers(b.place, b.keys, Broadcast<16>(index));
 }
 
 inline void ZSobolSampler::StartBatch(std::span<const Point2i> pixels) {
@@ -205,7 +204,7 @@ inline void ZSobolSampler::StartBatch(std::span<const Point2i> pixels) {
 
 inline void ZSobolSampler::FillBatchDimension(int dimension, BatchDimension &t) const {
     t.dimension = dimension;
-    t.keys = KeysOf(Broadcast16(uint32_t(dimension)));
+    t.keys = KeysOf(Broadcast<16>(uint32_t(dimension)));
     for (PixelTable *table : {&t.firstPoint, &t.carry, &t.order})
         table->Resize(batchMorton.Size());
     for (size_t i = 0; i < batchMorton.Size(); i += kPacketSize) {

@@ -43,7 +43,7 @@ std::optional<double> Wide(std::string_view text) {
 
 std::optional<float> ParseFloat(std::string_view text) {
     const char *first = text.data(), *last = first + text.size();
-    float value;
+    float value = 0;
     if (ParseShortDecimal(first, last, &value) == last) return value;
     const char *digit = first != last && *first == '-' ? first + 1 : first;
     if (digit != last && (IsDigit(*digit) || *digit == '.')) {

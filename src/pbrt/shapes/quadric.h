@@ -14,7 +14,7 @@ namespace pbrt {
 
 // D: double or DoubleX16 (by reference: how 128 bytes are passed differs between compilers).
 
-/// o + t d in object space. M: Matrix4 or WideMatrix.
+/// o + t d in object space. M: Matrix4 or MatrixX16.
 template <typename M, typename T>
 inline auto ObjectPoint(const M &objectFromRender, const Vec3<T> &o, const Vec3<T> &d, T t) {
     const auto at = [&](T from, T direction) {

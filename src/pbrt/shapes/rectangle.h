@@ -64,7 +64,7 @@ class RectangleT {
         const bool same = std::equal(r.begin() + 1, r.end(), r.begin());
         wide.ForEachMember([&](auto &member, auto of) {
             if (same)
-                member = Broadcast16(of(*r[0]));
+                member = Broadcast<16>(of(*r[0]));
             else
                 for (int i = 0; i < kPacketSize; ++i)
                     SetLane(&member, i, of(*r[size_t(i)]));

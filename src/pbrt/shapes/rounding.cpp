@@ -15,7 +15,7 @@ CrossDirectionT<FloatX16> CrossDirectionInDouble(Vector3fX16 a, Vector3fX16 b) {
     for (int i = 0; i < kPacketSize; ++i) {
         const CrossDirection lane = DirectionOfCross(Lane(a, i), Lane(b, i));
         SetLane(&c.n, i, lane.n);
-        c.inverseLength[i] = lane.inverseLength;
+        c.inverseLength.Set(i, lane.inverseLength);
     }
     return c;
 }

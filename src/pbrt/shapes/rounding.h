@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "pbrt/util/transform.h"
-#include "pbrt/util/wide.h"
+#include "pbrt/util/vecmath_simd.h"
 
 namespace pbrt {
 
@@ -12,14 +12,14 @@ using Vector3d = Vec3<double>;
 inline double ToDouble(float a) {
     return a;
 }
-inline DoubleX16 ToDouble(FloatX16 a) {
-    return __builtin_convertvector(a, DoubleX16);
+inline DoubleX16 ToDouble(const FloatX16 &a) {
+    return Convert<double>(a);
 }
 inline float ToFloat(double a) {
     return float(a);
 }
 inline FloatX16 ToFloat(const DoubleX16 &a) {
-    return __builtin_convertvector(a, FloatX16);
+    return Convert<float>(a);
 }
 template <typename T>
 inline auto ToDouble(const Vec3<T> &v) {
@@ -31,9 +31,9 @@ inline auto ToFloat(const Vec3<D> &v) {
 }
 
 /// The upper rows of sixteen matrices.
-using WideMatrix = std::array<std::array<FloatX16, 4>, 3>;
+using MatrixX16 = std::array<std::array<FloatX16, 4>, 3>;
 
-// M: Matrix4 or WideMatrix.
+// M: Matrix4 or MatrixX16.
 
 /// m applied to a point without float rounding; m is affine.
 template <typename M, typename D>

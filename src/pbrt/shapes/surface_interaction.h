@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "pbrt/util/wide.h"
+#include "pbrt/util/vecmath_simd.h"
 
 namespace pbrt {
 
@@ -68,7 +68,7 @@ inline void SetLane(SurfaceInteractionX16 *s, int i, const SurfaceInteraction &v
     SetLane(&s->dpdv, i, value.dpdv);
     SetLane(&s->dpdus, i, value.dpdus);
     SetLane(&s->uv, i, value.uv);
-    s->faceIndex[i] = value.faceIndex;
+    s->faceIndex.Set(i, value.faceIndex);
 }
 
 /// A point drawn on an emitter. pdf per unit area, or per unit solid angle, as the call says.

@@ -69,31 +69,32 @@ struct MeshPacket {
         return LoadVectors(from);
     }
     IntX16 FaceIndices(const UintX16 &primitive) const {
-        IntX16 face = std::bit_cast<IntX16>(primitive);
+        IntX16 face = BitCast<int32_t>(primitive);
         for (int i = 0; i < kPacketSize; ++i) {
             const auto &given = mesh[size_t(i)]->faceIndices;
             if (!given.empty())
-                face[i] =
-                    given[size_t(index[size_t(i)] - mesh[size_t(i)]->indices.data()) / kCorners];
+                face.Set(
+                    i,
+                    given[size_t(index[size_t(i)] - mesh[size_t(i)]->indices.data()) / kCorners]);
         }
         return face;
     }
 };
 
-using TriangleLanes = MeshPacket<TriangleMesh, 3>;
-using PatchLanes = MeshPacket<BilinearMesh, 4>;
+using TrianglePacket = MeshPacket<TriangleMesh, 3>;
+using PatchPacket = MeshPacket<BilinearMesh, 4>;
 
 template <typename V>
-auto CornersOf(const TriangleLanes &t, std::vector<V> TriangleMesh::*attribute) {
+auto CornersOf(const TrianglePacket &t, std::vector<V> TriangleMesh::*attribute) {
     return Corners<decltype(t.At(0, attribute))>{t.At(0, attribute), t.At(1, attribute),
                                                  t.At(2, attribute)};
 }
 
 /// Turns n to the outside, and interpolated normals, where the mesh has them, say what that is.
-template <typename Lanes, typename Interpolated>
-inline void SetNormals(const Lanes &lanes, LaneBits smooth, const Interpolated &interpolated,
+template <typename Packet, typename Interpolated>
+inline void SetNormals(const Packet &meshes, LaneBits smooth, const Interpolated &interpolated,
                        SurfaceInteractionX16 *s) {
-    s->n = s->ns = Select(MaskOf(lanes.flipped), -s->n, s->n);
+    s->n = s->ns = Select(MaskOf(meshes.flipped), -s->n, s->n);
     if (smooth == 0) return;
     s->ns = UnitOr(interpolated(), s->n);
     s->n = FaceForward(s->n, s->ns);
@@ -105,7 +106,7 @@ inline void SetNormals(const Lanes &lanes, LaneBits smooth, const Interpolated &
 /// these are undefined.
 template <bool kWithTangents>
 inline SurfaceInteractionX16 TriangleSurfaces(const PacketHits &met, LaneBits active) {
-    const detail::TriangleLanes t(met, active);
+    const detail::TrianglePacket t(met, active);
     const Corners<Point3fX16> p = detail::CornersOf(t, &TriangleMesh::p);
     const Corners<FloatX16> b{1 - met.hit.u - met.hit.v, met.hit.u, met.hit.v};
     SurfaceInteractionX16 s;
@@ -140,7 +141,7 @@ inline SurfaceInteractionX16 TriangleSurfaces(const PacketHits &met, LaneBits ac
 /// BilinearSurface sixteen times; of planar meshes.
 template <bool kWithTangents>
 inline SurfaceInteractionX16 FlatPatchSurfaces(const PacketHits &met, LaneBits active) {
-    const detail::PatchLanes lanes(met, active);
+    const detail::PatchPacket lanes(met, active);
     const auto corners = [&](auto attribute) {
         return std::array{lanes.At(0, attribute), lanes.At(1, attribute), lanes.At(2, attribute),
                           lanes.At(3, attribute)};
@@ -179,7 +180,7 @@ inline SurfaceInteractionX16 FlatPatchSurfaces(const PacketHits &met, LaneBits a
 
 /// SphereSurface sixteen times, without tangents, uv and faceIndex.
 inline SurfaceInteractionX16 SphereSurfaces(const PacketHits &met, LaneBits active) {
-    WideMatrix renderFromObject, objectFromRender;
+    MatrixX16 renderFromObject, objectFromRender;
     FloatX16 radius;
     LaneBits flipped = 0;
     const int first = std::countr_zero(active);
@@ -188,10 +189,10 @@ inline SurfaceInteractionX16 SphereSurfaces(const PacketHits &met, LaneBits acti
         const Sphere &sphere = *std::get_if<Sphere>(met.shape[size_t(from)]);
         for (size_t row = 0; row < 3; ++row)
             for (size_t k = 0; k < 4; ++k) {
-                renderFromObject[row][k][i] = sphere.renderFromObject.Matrix()[row][k];
-                objectFromRender[row][k][i] = sphere.renderFromObject.InverseMatrix()[row][k];
+                renderFromObject[row][k].Set(i, sphere.renderFromObject.Matrix()[row][k]);
+                objectFromRender[row][k].Set(i, sphere.renderFromObject.InverseMatrix()[row][k]);
             }
-        radius[i] = sphere.radius;
+        radius.Set(i, sphere.radius);
         flipped |= LaneBits(sphere.flipNormal) << i;
     }
     const Vec3<DoubleX16> p =
@@ -219,7 +220,7 @@ inline void Merge(LaneBits lanes, const SurfaceInteractionX16 &from, SurfaceInte
     to->dpdv = Select(mask, from.dpdv, to->dpdv);
     to->dpdus = Select(mask, from.dpdus, to->dpdus);
     to->uv = Select(mask, from.uv, to->uv);
-    to->faceIndex = mask ? from.faceIndex : to->faceIndex;
+    to->faceIndex = Select(mask, from.faceIndex, to->faceIndex);
 }
 
 }  // namespace detail

@@ -3,7 +3,8 @@
 #include <array>
 #include <cmath>
 
-#include "pbrt/util/lanes.h"
+#include "pbrt/simd/math.h"
+#include "pbrt/util/vecmath.h"
 
 namespace pbrt {
 
@@ -14,16 +15,14 @@ inline constexpr float CIE_Y_integral = 106.856895f;
 /// One value per sampled wavelength; one SIMD register.
 class SampledSpectrum {
   public:
-    using Lanes = float __attribute__((vector_size(16)));
-
     SampledSpectrum() = default;
-    explicit SampledSpectrum(float v) : v{v, v, v, v} {}
-    explicit SampledSpectrum(Lanes v) : v(v) {}
-    explicit SampledSpectrum(const std::array<float, 4> &a) : v{a[0], a[1], a[2], a[3]} {}
+    explicit SampledSpectrum(float v) : v(v) {}
+    explicit SampledSpectrum(const FloatX4 &v) : v(v) {}
+    explicit SampledSpectrum(const std::array<float, 4> &a) : v(a[0], a[1], a[2], a[3]) {}
 
     float operator[](int i) const { return v[i]; }
-    void Set(int i, float x) { v[i] = x; }
-    Lanes Values() const { return v; }
+    void Set(int i, float x) { v.Set(i, x); }
+    const FloatX4 &Values() const { return v; }
 
     SampledSpectrum operator+(SampledSpectrum b) const { return SampledSpectrum(v + b.v); }
     SampledSpectrum operator-(SampledSpectrum b) const { return SampledSpectrum(v - b.v); }
@@ -47,21 +46,18 @@ class SampledSpectrum {
     }
 
   private:
-    Lanes v{};
+    FloatX4 v{};
 };
 
 inline SampledSpectrum Sqrt(SampledSpectrum a) {
-    return SampledSpectrum(
-        std::array<float, 4>{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])});
+    return SampledSpectrum(Sqrt(a.Values()));
 }
 inline SampledSpectrum ClampZero(SampledSpectrum a) {
-    const SampledSpectrum::Lanes zero{};
-    return SampledSpectrum(a.Values() > zero ? a.Values() : zero);
+    return SampledSpectrum(Max(a.Values(), 0));
 }
 /// To [0, 1].
 inline SampledSpectrum ClampToUnit(SampledSpectrum a) {
-    const SampledSpectrum::Lanes one = SampledSpectrum(1).Values(), v = ClampZero(a).Values();
-    return SampledSpectrum(v < one ? v : one);
+    return SampledSpectrum(Min(ClampZero(a).Values(), 1));
 }
 
 /// The wavelengths (nm) a path carries and the densities (1/nm) they were drawn with.
@@ -96,13 +92,12 @@ class SampledWavelengths {
 };
 
 inline SampledWavelengths SampledWavelengths::SampleVisible(float u) {
-    using Lanes = SampledSpectrum::Lanes;
-    const Lanes shifted = u + Lanes{0, 0.25f, 0.5f, 0.75f};
+    const FloatX4 shifted = u + FloatX4{0, 0.25f, 0.5f, 0.75f};
     // The inverse of the cumulative density; 1 / cosh^2(atanh(y)) is 1 - y^2.
-    const Lanes y = 0.85691062f - 1.82750197f * (shifted < 1 ? shifted : shifted - 1);
-    const Lanes lambda = 538 - (138.888889f / 2) * Log((1 + y) / (1 - y));
+    const FloatX4 y = 0.85691062f - 1.82750197f * Select(shifted < 1, shifted, shifted - 1);
+    const FloatX4 lambda = 538 - (138.888889f / 2) * Log((1 + y) / (1 - y));
     SampledWavelengths w;
-    w.lambda = SampledSpectrum(Min(Max(lambda, Broadcast(LambdaMin)), Broadcast(LambdaMax)));
+    w.lambda = SampledSpectrum(Clamp(lambda, LambdaMin, LambdaMax));
     w.pdf = SampledSpectrum(0.0039398042f * (1 - y * y));
     return w;
 }

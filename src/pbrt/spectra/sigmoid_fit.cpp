@@ -84,31 +84,31 @@ SigmoidFit::SigmoidFit(const Spectrum &illuminant, const Matrix3d &rgbFromXYZ) :
         const double power = illuminant(LambdaMin + i) / luminance;
         const Triple rgb =
             Mul(rgbFromXYZ, Triple{power * t::cieX[i], power * t::cieY[i], power * t::cieZ[i]});
-        position[i / 4][i % 4] = (i + LambdaMin - Centre) / HalfWidth;
+        position[i / 4].Set(i % 4, (i + LambdaMin - Centre) / HalfWidth);
         for (int c = 0; c < 3; ++c)
-            weight[c][i / 4][i % 4] = rgb[c];
+            weight[c][i / 4].Set(i % 4, rgb[c]);
     }
 }
 
 SigmoidFit::Trial SigmoidFit::Try(const SigmoidParameters &p, const Triple &rgb) const {
     // For each component: its value and its derivatives by the three parameters.
-    std::array<std::array<Lanes, 4>, 3> sums{};
+    std::array<std::array<DoubleX4, 4>, 3> sums{};
     for (int block = 0; block < Blocks; ++block) {
-        const Lanes t = position[block];
-        const Lanes x = (p[0] * t + p[1]) * t + p[2];
-        const Lanes square = 1 + x * x;
-        const Lanes r = 1 / Lanes{std::sqrt(square[0]), std::sqrt(square[1]), std::sqrt(square[2]),
-                                  std::sqrt(square[3])};
-        const Lanes value = 0.5 + 0.5 * x * r, slope = 0.5 * r * r * r;
+        const DoubleX4 t = position[block];
+        const DoubleX4 x = (p[0] * t + p[1]) * t + p[2];
+        const DoubleX4 square = 1 + x * x;
+        const DoubleX4 r = 1 / Sqrt(square);
+        const DoubleX4 value = 0.5 + 0.5 * x * r, slope = 0.5 * r * r * r;
         for (int c = 0; c < 3; ++c) {
-            const Lanes w = weight[c][block];
+            const DoubleX4 w = weight[c][block];
             sums[c][0] += w * value;
             sums[c][1] += w * slope * t * t;
             sums[c][2] += w * slope * t;
             sums[c][3] += w * slope;
         }
     }
-    const auto total = [](const Lanes &s) { return (s[0] + s[1]) + (s[2] + s[3]); };
+    // Neighbours first, unlike Sum: the tables' last bits hang on the order.
+    const auto total = [](const DoubleX4 &s) { return (s[0] + s[1]) + (s[2] + s[3]); };
     Trial trial{p, {}, {}, 0};
     for (int c = 0; c < 3; ++c) {
         trial.residual[c] = total(sums[c][0]) - rgb[c];

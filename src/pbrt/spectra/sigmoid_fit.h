@@ -38,13 +38,12 @@ class SigmoidFit {
     Result Fit(const Triple &rgb, const SigmoidParameters &start) const;
 
   private:
-    using Lanes = double __attribute__((vector_size(32)));
     static constexpr int Blocks = 118;  ///< 471 wavelengths and one of weight 0, by fours
     struct Trial;
     Trial Try(const SigmoidParameters &p, const Triple &rgb) const;
 
-    std::vector<Lanes> position;               ///< t of each wavelength
-    std::array<std::vector<Lanes>, 3> weight;  ///< red, green, blue per unit of the spectrum
+    std::vector<DoubleX4> position;               ///< t of each wavelength
+    std::array<std::vector<DoubleX4>, 3> weight;  ///< red, green, blue per unit of the spectrum
 };
 
 }  // namespace pbrt

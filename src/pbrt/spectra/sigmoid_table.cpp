@@ -65,7 +65,7 @@ SigmoidTable::SigmoidTable(const SigmoidFit &fit) : nodes(Index(3, 0, 0, 0)) {
 }
 
 void SigmoidTable::FillColumn(const SigmoidFit &fit, const Column &column,
-                              std::span<const double> z, Lanes *out) {
+                              std::span<const double> z, FloatX4 *out) {
     const double sum = 1 + column.xRatio + column.yRatio;
     const auto fill = [&](size_t i, const SigmoidParameters *start) {
         Triple rgb;
@@ -74,7 +74,7 @@ void SigmoidTable::FillColumn(const SigmoidFit &fit, const Column &column,
         rgb[(column.greatest + 2) % 3] = column.yRatio * z[i];
         const SigmoidParameters p = (start ? fit.Fit(rgb, *start) : fit.Fit(rgb)).parameters;
         const double scale = StoredScale(float(z[i] * sum / 3));
-        out[i] = Lanes{float(p[0] * scale), float(p[1] * scale), float(p[2] * scale), 0};
+        out[i] = FloatX4{float(p[0] * scale), float(p[1] * scale), float(p[2] * scale), 0};
         return p;
     };
     // Neighbours start from each other, from the easiest colours towards the extreme ones.
@@ -88,14 +88,14 @@ void SigmoidTable::FillColumn(const SigmoidFit &fit, const Column &column,
         p = fill(i, &p);
 }
 
-SigmoidTable::Lanes SigmoidTable::Interpolate(const std::array<float, 3> &rgb) const {
+FloatX4 SigmoidTable::Interpolate(const std::array<float, 3> &rgb) const {
     const int greatest = rgb[0] > rgb[1] ? (rgb[0] > rgb[2] ? 0 : 2) : (rgb[1] > rgb[2] ? 1 : 2);
     const float z = rgb[greatest];
     const Cell cz = CellAt(PositionOfGreatest(z), ZCount);
     const Cell cx = CellAt(PositionOfRatio(rgb[(greatest + 1) % 3] / z), XYCount);
     const Cell cy = CellAt(PositionOfRatio(rgb[(greatest + 2) % 3] / z), XYCount);
-    const Lanes *corner = &nodes[Index(greatest, cy.index, cx.index, cz.index)];
-    const auto along = [](float t, Lanes a, Lanes b) { return a + t * (b - a); };
+    const FloatX4 *corner = &nodes[Index(greatest, cy.index, cx.index, cz.index)];
+    const auto along = [](float t, FloatX4 a, FloatX4 b) { return a + t * (b - a); };
     const auto edge = [&](size_t offset) {
         return along(cz.fraction, corner[offset], corner[offset + 1]);
     };
@@ -106,7 +106,7 @@ SigmoidTable::Lanes SigmoidTable::Interpolate(const std::array<float, 3> &rgb) c
 
 RGBSigmoid SigmoidTable::LookUp(const std::array<float, 3> &rgb) const {
     const float mean = (rgb[0] + rgb[1] + rgb[2]) / 3;
-    Lanes p = mean > 0.5f ? -Interpolate({1 - rgb[0], 1 - rgb[1], 1 - rgb[2]}) : Interpolate(rgb);
+    FloatX4 p = mean > 0.5f ? -Interpolate({1 - rgb[0], 1 - rgb[1], 1 - rgb[2]}) : Interpolate(rgb);
     p /= StoredScale(mean);
     return ToSigmoid({p[0], p[1], p[2]});
 }

@@ -25,7 +25,6 @@ class SigmoidTable {
     RGBSigmoid LookUp(const std::array<float, 3> &rgb) const;
 
   private:
-    using Lanes = SampledSpectrum::Lanes;
     static constexpr int ZCount = 48, XYCount = 24;
 
     static size_t Index(int greatest, int y, int x, int z) {
@@ -37,10 +36,10 @@ class SigmoidTable {
         double xRatio, yRatio;
     };
     static void FillColumn(const SigmoidFit &fit, const Column &column, std::span<const double> z,
-                           Lanes *out);
-    Lanes Interpolate(const std::array<float, 3> &rgb) const;
+                           FloatX4 *out);
+    FloatX4 Interpolate(const std::array<float, 3> &rgb) const;
 
-    std::vector<Lanes> nodes;  ///< scaled parameters; the last lane is idle
+    std::vector<FloatX4> nodes;  ///< scaled parameters; the last lane is idle
 };
 
 }  // namespace pbrt

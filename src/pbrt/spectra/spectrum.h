@@ -15,15 +15,15 @@ namespace pbrt {
 /// a smooth spectrum in [0, 1] (Jakob and Hanika 2019). c2 = +-infinity gives exactly 1 or 0.
 struct RGBSigmoid {
     float c0 = 0, c1 = 0, c2 = 0;
-    float operator()(float lambda) const { return AtLanes(SampledSpectrum(lambda))[0]; }
+    float operator()(float lambda) const { return AtAll(SampledSpectrum(lambda))[0]; }
     SampledSpectrum Sample(const SampledWavelengths &lambda) const {
-        return AtLanes(lambda.Lambda());
+        return AtAll(lambda.Lambda());
     }
     /// Greatest value in [LambdaMin, LambdaMax].
     float MaxValue() const;
 
   private:
-    SampledSpectrum AtLanes(SampledSpectrum lambda) const;
+    SampledSpectrum AtAll(SampledSpectrum lambda) const;
 };
 
 /// Values at every whole nm from 360 to 830, linear between, 0 outside.
@@ -110,30 +110,24 @@ std::span<const std::string_view> NamedSpectrumNames();
 
 // Hot paths.
 
-inline SampledSpectrum RGBSigmoid::AtLanes(SampledSpectrum lambda) const {
-    using Lanes = SampledSpectrum::Lanes;
-    const Lanes l = lambda.Values();
-    const Lanes polynomial = (c0 * l + c1) * l + c2;
+inline SampledSpectrum RGBSigmoid::AtAll(SampledSpectrum lambda) const {
+    const FloatX4 l = lambda.Values();
+    const FloatX4 polynomial = (c0 * l + c1) * l + c2;
     // Beyond 2^30 the quotient is 1 in float anyway; infinity would give inf / inf.
-    const Lanes most = SampledSpectrum(0x1p30f).Values();
-    Lanes x = polynomial < most ? polynomial : most;
-    x = x > -most ? x : -most;
-    return SampledSpectrum(0.5f + 0.5f * (x / Sqrt(SampledSpectrum(1 + x * x)).Values()));
+    const FloatX4 x = Clamp(polynomial, -0x1p30f, 0x1p30f);
+    return SampledSpectrum(0.5f + 0.5f * (x / Sqrt(1 + x * x)));
 }
 
 inline SampledSpectrum DenseTable::Sample(SampledSpectrum lambda) const {
-    using Lanes = SampledSpectrum::Lanes;
-    using Ints = int32_t __attribute__((vector_size(16)));
-    const Lanes x = lambda.Values() - LambdaMin;
-    const Ints inside = (x >= 0) & (x <= float(Size - 1));
-    const Lanes safe = inside ? x : Lanes{};
-    Ints i = __builtin_convertvector(safe, Ints);
-    i = i < Size - 2 ? i : Ints{} + (Size - 2);
-    const Lanes t = safe - __builtin_convertvector(i, Lanes);
+    const FloatX4 x = lambda.Values() - LambdaMin;
+    const auto inside = (x >= 0) & (x <= float(Size - 1));
+    const FloatX4 safe = Select(inside, x, 0);
+    const IntX4 i = Min(Convert<int32_t>(safe), Size - 2);
+    const FloatX4 t = safe - Convert<float>(i);
     const float *v = values.data();
-    const Lanes a{v[i[0]], v[i[1]], v[i[2]], v[i[3]]};
-    const Lanes b{v[i[0] + 1], v[i[1] + 1], v[i[2] + 1], v[i[3] + 1]};
-    return SampledSpectrum(inside ? a + t * (b - a) : Lanes{});
+    const FloatX4 a{v[i[0]], v[i[1]], v[i[2]], v[i[3]]};
+    const FloatX4 b{v[i[0] + 1], v[i[1] + 1], v[i[2] + 1], v[i[3] + 1]};
+    return SampledSpectrum(Select(inside, a + t * (b - a), 0));
 }
 
 inline SampledSpectrum Spectrum::Sample(const SampledWavelengths &lambda) const {

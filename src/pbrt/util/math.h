@@ -1,51 +1,16 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
-#include "pbrt/util/wide.h"
+#include "pbrt/simd/trig.h"
+#include "pbrt/util/vecmath_simd.h"
 
 namespace pbrt {
 
-/// c0 + c1 x + c2 x^2 + ... by Horner's rule.
-template <typename T, typename C, typename... Cs>
-constexpr auto EvaluatePolynomial(T x, C c, Cs... rest) {
-    if constexpr (sizeof...(rest) == 0)
-        return c;
-    else
-        return c + x * EvaluatePolynomial(x, rest...);
-}
-
 inline float SafeASin(float x) {
     return std::asin(std::clamp(x, -1.f, 1.f));
-}
-
-template <AnyFloat T>
-struct SinCosT {
-    T sin, cos;
-};
-using SinCos = SinCosT<float>;
-
-/// Sine and cosine of r quarter turns, |r| <= 1/2. Absolute error below 1.5e-7. By hand because
-/// sampling warps know their quadrant and need no more: a third of the time of sinf and cosf.
-/// Polynomials in r^2: own minimax fit.
-template <AnyFloat T>
-inline SinCosT<T> SinCosQuarters(T r) {
-    const T s = r * r;
-    return {
-        r * EvaluatePolynomial(s, 1.57079632f, -0.645963479f, 0.0796802281f, -0.00460217700f),
-        1 + s * EvaluatePolynomial(s, -1.23370055f, 0.253669410f, -0.0208615297f, 0.000906743541f)};
-}
-
-/// Sine and cosine of `turns` times 2 pi, |turns| <= 2^20; error as above: the reduction is exact.
-template <AnyFloat T>
-inline SinCosT<T> SinCosTurns(T turns) {
-    const T quarter = Floor(4 * turns + 0.5f);
-    const SinCosT<T> part = SinCosQuarters(T(4 * turns - quarter));
-    const auto q = ToInt(quarter);
-    const auto swapped = (q & 1) != 0;
-    const T sin = Select(swapped, part.cos, part.sin), cos = Select(swapped, part.sin, part.cos);
-    return {Select((q & 2) != 0, -sin, sin), Select(((q + 1) & 2) != 0, -cos, cos)};
 }
 
 /// Bits 0 to 15 of x moved to the even places.
@@ -60,7 +25,7 @@ constexpr uint32_t EncodeMorton2(uint32_t x, uint32_t y) {
     return SpreadBits(x & 0xffff) | (SpreadBits(y & 0xffff) << 1);
 }
 
-/// Bits in reverse order. U: uint32_t, or several of them side by side.
+/// Bits in reverse order. U: uint32_t or UintX16.
 template <typename U>
 constexpr U ReverseBits32(U x) {
     x = (x << 16) | (x >> 16);

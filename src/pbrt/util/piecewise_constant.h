@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "pbrt/util/check.h"
-#include "pbrt/util/wide.h"
+#include "pbrt/util/vecmath_simd.h"
 
 namespace pbrt {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pbrt/util/wide.h"
+#include "pbrt/util/vecmath_simd.h"
 
 namespace pbrt {
 
@@ -14,8 +14,8 @@ struct alignas(64) RayPacket {
     void Set(int lane, const Ray &ray) {
         SetLane(&o, lane, ray.o);
         SetLane(&d, lane, ray.d);
-        tMax[lane] = ray.tMax;
-        time[lane] = ray.time;
+        tMax.Set(lane, ray.tMax);
+        time.Set(lane, ray.time);
     }
 };
 

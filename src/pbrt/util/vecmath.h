@@ -5,6 +5,8 @@
 #include <limits>
 #include <type_traits>
 
+#include "pbrt/simd/math.h"
+
 namespace pbrt {
 
 inline constexpr float Pi = 3.14159265358979323846f;
@@ -23,9 +25,6 @@ constexpr T Sqr(T x) {
 template <typename T, typename U>
 constexpr auto Lerp(U t, T a, T b) {
     return (1 - t) * a + t * b;
-}
-inline float SafeSqrt(float x) {
-    return std::sqrt(std::max(0.f, x));
 }
 /// Relative rounding error of n operations.
 inline constexpr float Gamma(int n) {
@@ -108,7 +107,7 @@ constexpr T Dot(Vec3<T> a, Vec3<T> b) {
 }
 template <typename T>
 T AbsDot(Vec3<T> a, Vec3<T> b) {
-    return std::abs(Dot(a, b));
+    return Abs(Dot(a, b));
 }
 template <typename T>
 constexpr Vec3<T> Cross(Vec3<T> a, Vec3<T> b) {
@@ -120,7 +119,7 @@ constexpr T LengthSquared(Vec3<T> a) {
 }
 template <typename T>
 T Length(Vec3<T> a) {
-    return std::sqrt(Dot(a, a));
+    return Sqrt(Dot(a, a));
 }
 template <typename T>
 Vec3<T> Normalize(Vec3<T> a) {
@@ -128,7 +127,7 @@ Vec3<T> Normalize(Vec3<T> a) {
 }
 template <typename T>
 Vec3<T> Abs(Vec3<T> a) {
-    return {std::abs(a.x), std::abs(a.y), std::abs(a.z)};
+    return {Abs(a.x), Abs(a.y), Abs(a.z)};
 }
 template <typename T>
 constexpr T MaxComponent(Vec3<T> a) {
@@ -181,7 +180,7 @@ struct FrameT {
     /// Frame about the unit vector z, x and y anywhere (Duff et al. 2017, "Building an
     /// Orthonormal Basis, Revisited").
     static FrameT FromZ(Vec3<T> z) {
-        const T sign = z.z < 0 ? T{} - 1 : T{} + 1;
+        const T sign = Select(z.z < 0, T(-1), T(1));
         const T a = -1 / (sign + z.z), b = z.x * z.y * a;
         return {
             {1 + sign * Sqr(z.x) * a, sign * b, -sign * z.x}, {b, sign + Sqr(z.y) * a, -z.y}, z};

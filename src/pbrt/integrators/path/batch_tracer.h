@@ -43,6 +43,7 @@ class BatchTracer final : public Tracer {
         DCHECK(what.Size() <= kBatchSize);
         batch = what;
         rays = &counts;
+        paths.clamped = &counts.clamped;
         StartPaths();
         for (int dimension = kFirstVertexDimension; paths.queue->Size() > 0;
              dimension += VertexNumbers::kDimensions)
@@ -66,9 +67,9 @@ class BatchTracer final : public Tracer {
             StartPaths(first, int(std::min(uint32_t(kPacketSize), slot - first)));
     }
     void StartPaths(uint32_t first, int count) {
-        const UintX16 pixel = LoadWide(&paths.pixel[first]), k = LoadWide(&paths.sample[first]);
+        const UintX16 pixel = LoadX16(&paths.pixel[first]), k = LoadX16(&paths.sample[first]);
         const bool jitters = !scene.options.disablePixelJitter;
-        const FloatX16 half = Broadcast16(0.5f);
+        const FloatX16 half = Broadcast<16>(0.5f);
         const FloatX16 uLambda = scene.options.disableWavelengthJitter
                                      ? half
                                      : sampler.Get1D(CameraDimensions::kWavelength, pixel, k);
@@ -91,7 +92,7 @@ class BatchTracer final : public Tracer {
         PathPacket path{};
         path.slot = kLaneNumbers + first;
         path.o = packet.o, path.d = packet.d, path.time = packet.time;
-        path.etaScale = Broadcast16(1.f);
+        path.etaScale = Broadcast<16>(1.f);
         path.beta.fill(SampledSpectrum(1));
         paths.queue->Add(path, FirstLanes(count));
         for (int i = 0; i < count; ++i)
@@ -131,7 +132,7 @@ class BatchTracer final : public Tracer {
         const int n = queue.Size();
         std::array<uint32_t, 9> end{};
         for (int first = 0; first < n; first += kPacketSize)
-            StoreWide(Octant(queue.Directions(first)), &octant[size_t(first)]);
+            Store(Octant(queue.Directions(first)), &octant[size_t(first)]);
         for (int i = 0; i < n; ++i)
             ++end[octant[size_t(i)] + 1];
         for (size_t k = 1; k < end.size(); ++k)
@@ -144,24 +145,26 @@ class BatchTracer final : public Tracer {
     void Intersect(int first, bool fromCamera) {
         const int count = std::min(kPacketSize, paths.queue->Size() - first);
         const UintX16 place =
-            fromCamera ? kLaneNumbers + uint32_t(first) : LoadWide(&order[size_t(first)]);
+            fromCamera ? kLaneNumbers + uint32_t(first) : LoadX16(&order[size_t(first)]);
         const RayPacket packet = paths.queue->RaysAt(place);
         HitPacket hits;
         const LaneBits met = scene.accel->Intersect(
             packet, FirstLanes(count), &hits, fromCamera ? Coherence::Alike : Coherence::Octant);
         rays->closest += count;
         paths.SetHits(place, hits, met);
-        const UintX16 geometry = Select(MaskOf(met), hits.geometry, UintX16{});
-        UintX16 material = met ? Gather(materialOf.data(), geometry) : UintX16{};
-        UintX16 kind = met ? Gather(kindOf.data(), geometry) : UintX16{};
+        const MaskX16 found = MaskOf(met);
+        const UintX16 geometry = Select(found, hits.geometry, 0);
+        UintX16 material = Select(found, Gather(materialOf.data(), geometry), 0);
+        UintX16 kind = Select(found, Gather(kindOf.data(), geometry), 0);
         ForEachLane(met & BitsOf(kind == kMix), [&](int i) {
             const Ray ray = packet.At(i);
-            material[i] = uint32_t(scene.MaterialMet(MaterialId(material[i]),
-                                                     scene.SurfaceAt(hits.At(i), ray), ray.d));
-            kind[i] = MaterialGroup(material[i]);
+            const MaterialId id = scene.MaterialMet(
+                MaterialId(material[i]), scene.SurfaceAt(hits.At(i), ray), ray.d, paths.clamped);
+            material.Set(i, uint32_t(id));
+            kind.Set(i, MaterialGroup(uint32_t(id)));
         });
         Scatter(&paths.material[0], place, material, met);
-        kind = Select(MaskOf(met), kind, UintX16{});
+        kind = Select(found, kind, 0);
         for (int i = 0; i < count; ++i) {
             PathList &list = lists[kind[i]];
             list.at[size_t(list.size++)] = place[i];
@@ -175,7 +178,7 @@ class BatchTracer final : public Tracer {
 
     /// Paths at the given places of the queue, all of one kind.
     void ShadePaths(size_t kind, const uint32_t *from, int count, int dimension) {
-        const UintX16 at = Select(MaskOf(FirstLanes(count)), LoadWide(from), Broadcast16(from[0]));
+        const UintX16 at = Select(MaskOf(FirstLanes(count)), LoadX16(from), Broadcast<16>(from[0]));
         if (kind == 0) {
             if (scene.infiniteLights.empty()) return;
             return AddEscapedRadiance(scene, settings, paths.queue->At(at), FirstLanes(count),
@@ -196,7 +199,7 @@ class BatchTracer final : public Tracer {
         for (int first = 0; first < shadows.Size(); first += kPacketSize) {
             const LaneBits lanes = FirstLanes(shadows.Size() - first);
             const uint32_t *const place = &order[size_t(first)];
-            const RayPacket packet = shadows.RaysAt(LoadWide(place));
+            const RayPacket packet = shadows.RaysAt(LoadX16(place));
             const auto gain = [&](int i, float share) {
                 paths.L[shadows.Slot(place[i])] += shadows.Gain(place[i]) * share;
             };

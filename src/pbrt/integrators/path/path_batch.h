@@ -8,6 +8,7 @@ namespace pbrt {
 struct PathBatch {
     PathQueue queues[2], *queue = &queues[0], *next = &queues[1];
     ShadowQueue shadows;
+    ClampCounts *clamped = nullptr;  ///< of the thread
     // By place in the queue: what the ray meets.
     BatchArray<float> t{}, u{}, v{};
     BatchArray<uint32_t> geometry{}, primitive{}, instance{}, material{};

@@ -16,16 +16,16 @@ struct BatchVectors {
 
     Vector3fX16 Load(int first) const {
         const size_t at = size_t(first);
-        return {LoadWide(&x[at]), LoadWide(&y[at]), LoadWide(&z[at])};
+        return {LoadX16(&x[at]), LoadX16(&y[at]), LoadX16(&z[at])};
     }
     Vector3fX16 At(const UintX16 &at) const {
         return {Gather(&x[0], at), Gather(&y[0], at), Gather(&z[0], at)};
     }
     void Put(int end, const Vector3fX16 &v, LaneBits lanes) {
         const size_t at = size_t(end);
-        StoreLanes(&x[at], v.x, lanes);
-        StoreLanes(&y[at], v.y, lanes);
-        StoreLanes(&z[at], v.z, lanes);
+        Compress(&x[at], v.x, lanes);
+        Compress(&y[at], v.y, lanes);
+        Compress(&z[at], v.z, lanes);
     }
 };
 
@@ -40,16 +40,16 @@ class PathQueue {
 
     void Add(const PathPacket &paths, LaneBits lanes) {
         const size_t end = size_t(size);
-        StoreLanes(&slot[end], paths.slot, lanes);
+        Compress(&slot[end], paths.slot, lanes);
         o.Put(size, paths.o, lanes);
         d.Put(size, paths.d, lanes);
-        StoreLanes(&time[end], paths.time, lanes);
+        Compress(&time[end], paths.time, lanes);
         p.Put(size, paths.p, lanes);
         if (keepsNormals) ns.Put(size, paths.ns, lanes);
-        StoreLanes(&bsdfPDF[end], paths.bsdfPDF, lanes);
-        StoreLanes(&etaScale[end], paths.etaScale, lanes);
-        StoreLanes(&depth[end], paths.depth, lanes);
-        StoreLanes(&anyNonSpecular[end], paths.anyNonSpecular, lanes);
+        Compress(&bsdfPDF[end], paths.bsdfPDF, lanes);
+        Compress(&etaScale[end], paths.etaScale, lanes);
+        Compress(&depth[end], paths.depth, lanes);
+        Compress(&anyNonSpecular[end], paths.anyNonSpecular, lanes);
         ForEachLane(lanes, [&](int i) { beta[size_t(size++)] = paths.beta[size_t(i)]; });
     }
     UintX16 SlotsAt(const UintX16 &at) const { return Gather(&slot[0], at); }
@@ -69,7 +69,7 @@ class PathQueue {
     }
     /// The rays of the paths at sixteen places.
     RayPacket RaysAt(const UintX16 &at) const {
-        return {o.At(at), d.At(at), Broadcast16(Infinity), Gather(&time[0], at)};
+        return {o.At(at), d.At(at), Broadcast<16>(Infinity), Gather(&time[0], at)};
     }
     /// Of sixteen successive paths; those beyond Size() are anything.
     Vector3fX16 Directions(int first) const { return d.Load(first); }
@@ -93,15 +93,15 @@ class ShadowQueue {
     void Add(const UintX16 &slots, const FloatX16 &times, const Point3fX16 &from,
              const Point3fX16 &to, const std::array<SampledSpectrum, kPacketSize> &gains,
              LaneBits lanes) {
-        StoreLanes(&slot[size_t(size)], slots, lanes);
-        StoreLanes(&time[size_t(size)], times, lanes);
+        Compress(&slot[size_t(size)], slots, lanes);
+        Compress(&time[size_t(size)], times, lanes);
         o.Put(size, from, lanes);
         d.Put(size, to - from, lanes);
         ForEachLane(lanes, [&](int i) { gain[size_t(size++)] = gains[size_t(i)]; });
     }
     /// As far as just before the light, at sixteen places.
     RayPacket RaysAt(const UintX16 &at) const {
-        return {o.At(at), d.At(at), Broadcast16(kShadowEnd), Gather(&time[0], at)};
+        return {o.At(at), d.At(at), Broadcast<16>(kShadowEnd), Gather(&time[0], at)};
     }
     /// Of sixteen successive rays; those beyond Size() are anything.
     Vector3fX16 Directions(int first) const { return d.Load(first); }

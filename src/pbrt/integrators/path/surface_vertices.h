@@ -50,7 +50,7 @@ class SurfaceVertices {
         path = batch.queue->At(at);
         SurfaceAt();
         AddEmissions();
-        const MaskX16 last = std::bit_cast<IntX16>(path.depth) == settings.maxDepth;
+        const MaskX16 last = BitCast<int32_t>(path.depth) == settings.maxDepth;
         if (!kTraits.nullTransmission || scene.options.forceDiffuse) lanes &= ~BitsOf(last);
         if (lanes == 0) return;
         SetContexts();
@@ -76,7 +76,7 @@ class SurfaceVertices {
 
     void SurfaceAt() {
         hits = batch.HitsAt(at);
-        const RayPacket rays{path.o, path.d, Broadcast16(Infinity), path.time};
+        const RayPacket rays{path.o, path.d, Broadcast<16>(Infinity), path.time};
         constexpr bool kWithTangents = !kUniform || kTraits.turnsFrame;
         sp = scene.SurfaceAt<kWithTangents>(hits, rays, lanes);
     }
@@ -93,7 +93,7 @@ class SurfaceVertices {
 
     const TextureEvalContext &ContextAt(int i) const { return contexts[kUniform ? 0 : size_t(i)]; }
     void SetContexts() {
-        if constexpr (!kUniform) scene.TextureContexts(sp, lanes, &contexts);
+        if constexpr (!kUniform) scene.TextureContexts(sp, lanes, batch.clamped, &contexts);
     }
 
     void SetFrames() {
@@ -171,7 +171,7 @@ class SurfaceVertices {
 
     /// Probabilities of the lights chosen; samples of them.
     FloatX16 ChooseLights(const LightSampleContextX16 &ctx, LightLiSamples *samples) const {
-        FloatX16 pmf = Broadcast16(1.f);
+        FloatX16 pmf = Broadcast<16>(1.f);
         LightPacket lights{};
         if (const auto only = settings.lightSampler.OnlyLight()) {
             lights.fill(&scene.lights[size_t(*only)]);
@@ -203,7 +203,7 @@ class SurfaceVertices {
         const MaskX16 specular = MaskOf(s.specular), straight = MaskOf(s.nullTransmission);
         if (s.transmission != 0)
             path.etaScale *= Select(MaskOf(s.transmission), s.eta * s.eta, 1.f);
-        path.anyNonSpecular |= std::bit_cast<UintX16>(~(specular | straight) & 1);
+        path.anyNonSpecular |= Select(specular | straight, 0u, 1u);
         SpawnRay(frame.FromLocal(s.wi), Select(specular, 0.f, s.pdf), straight);
     }
 

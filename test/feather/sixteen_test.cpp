@@ -12,7 +12,7 @@ template <std::floating_point T>
 Sixteen<T> AnySixteen(Dice &dice) {
     Sixteen<T> barbules;
     const double thickest = dice.Uniform() < 0.5 ? 700 : 1e4;
-    for (int k = 0; k < kLanes; ++k) {
+    for (int k = 0; k < kPacketSize; ++k) {
         Shape shape = dice.Uniform() < 0.3 ? Shape{} : dice.AnyShape();
         shape.thickness = dice.Uniform(0, thickest);
         barbules.Set(k, shape, Feather<T>({dice.Uniform(360, 830), 520, 590, 660}));
@@ -21,17 +21,17 @@ Sixteen<T> AnySixteen(Dice &dice) {
 }
 
 template <std::floating_point T>
-Direction<Lanes<T>> AnyDirections(Dice &dice) {
-    Direction<Lanes<T>> w;
+Direction<SimdX16<T>> AnyDirections(Dice &dice) {
+    Direction<SimdX16<T>> w;
     const bool above = dice.Uniform() < 0.7;
-    for (int k = 0; k < kLanes; ++k)
+    for (int k = 0; k < kPacketSize; ++k)
         SetLane(&w, k, Rounded<T>(above ? dice.OnUpperHemisphere() : dice.OnSphere()));
     return w;
 }
 
 // In double nothing is rough: only the order of sums differs.
-TEST(Lanes, InDoubleAreAsOneByOne) {
-    using V = Lanes<double>;
+TEST(SixteenBarbules, InDoubleAreAsOneByOne) {
+    using V = SimdX16<double>;
     Dice dice(90);
     for (int round = 0; round < 200; ++round) {
         const auto barbules = AnySixteen<double>(dice);
@@ -40,7 +40,7 @@ TEST(Lanes, InDoubleAreAsOneByOne) {
         const auto view = all.SeenFrom(wo);
         const auto f = all.f(view, wi), R = all.R(view, wi), TRT = all.TRT(view, wi);
         const V pdf = all.PDF(view, wi);
-        for (int k = 0; k < kLanes; ++k) {
+        for (int k = 0; k < kPacketSize; ++k) {
             const auto &one = barbules.One(k);
             const auto oneView = one.SeenFrom(Lane(wo, k));
             const auto in = Lane(wi, k);
@@ -57,8 +57,8 @@ TEST(Lanes, InDoubleAreAsOneByOne) {
     }
 }
 
-TEST(Lanes, DrawAsOneByOne) {
-    using V = Lanes<double>;
+TEST(SixteenBarbules, DrawAsOneByOne) {
+    using V = SimdX16<double>;
     Dice dice(91);
     int gaps = 0;
     for (int round = 0; round < 500; ++round) {
@@ -67,10 +67,10 @@ TEST(Lanes, DrawAsOneByOne) {
         const auto view = all.SeenFrom(AnyDirections<double>(dice));
         V uc, u0, u1;
         for (V *u : {&uc, &u0, &u1})
-            for (int k = 0; k < kLanes; ++k)
+            for (int k = 0; k < kPacketSize; ++k)
                 u->Set(k, dice.Uniform());
         const auto drawn = all.Draw(view, uc, u0, u1);
-        for (int k = 0; k < kLanes; ++k) {
+        for (int k = 0; k < kPacketSize; ++k) {
             const auto &one = barbules.One(k);
             const auto expected = one.Draw(one.SeenFrom(Lane(view.wo, k)), uc[k], u0[k], u1[k]);
             const bool isGap = BitsOf(drawn.isGap) >> k & 1;
@@ -85,7 +85,7 @@ TEST(Lanes, DrawAsOneByOne) {
 }
 
 // TRT's inverses are good to 14 bits each, and its phase errs by 6e-8 of itself.
-TEST(Lanes, InFloatAreNearlyAsOneByOne) {
+TEST(SixteenBarbules, InFloatAreNearlyAsOneByOne) {
     Dice dice(92);
     int others = 0, pairs = 0;
     for (int round = 0; round < 500; ++round) {
@@ -94,8 +94,8 @@ TEST(Lanes, InFloatAreNearlyAsOneByOne) {
         const auto wo = AnyDirections<float>(dice), wi = AnyDirections<float>(dice);
         const auto view = all.SeenFrom(wo);
         const auto TRT = all.TRT(view, wi), R = all.R(view, wi);
-        const Lanes<float> pdf = all.PDF(view, wi);
-        for (int k = 0; k < kLanes; ++k, ++pairs) {
+        const SimdX16<float> pdf = all.PDF(view, wi);
+        for (int k = 0; k < kPacketSize; ++k, ++pairs) {
             const auto &one = barbules.One(k);
             const auto oneView = one.SeenFrom(Lane(wo, k));
             const auto expected = one.TRT(oneView, Lane(wi, k));
@@ -118,14 +118,14 @@ TEST(Lanes, InFloatAreNearlyAsOneByOne) {
 }
 
 // What is in the other lanes changes no more than the order of sums.
-TEST(Lanes, DoNotDependOnTheirNeighbours) {
+TEST(SixteenBarbules, DoNotDependOnTheirNeighbours) {
     Dice dice(93);
     for (int round = 0; round < 200; ++round) {
         const auto wo = AnyDirections<double>(dice), wi = AnyDirections<double>(dice);
         Dice a = dice, b = dice;
         b.Uniform();
         Sixteen<double> first = AnySixteen<double>(a), second = AnySixteen<double>(b);
-        const int k = round % kLanes;
+        const int k = round % kPacketSize;
         const Shape same = dice.AnyShape();
         first.Set(k, same);
         second.Set(k, same);

@@ -44,7 +44,7 @@ void ForManyNumbers(Check check) {
         check(Numbers(rng));
 }
 
-TEST(WideMath, Warps) {
+TEST(SixteenAtOnce, Warps) {
     ForManyNumbers([](Point2fX16 u) {
         const Point2fX16 disk = SampleUniformDiskConcentric(u);
         const Vector3fX16 cosine = SampleCosineHemisphere(u), sphere = EqualAreaSquareToSphere(u);
@@ -60,7 +60,7 @@ TEST(WideMath, Warps) {
     });
 }
 
-TEST(WideMath, Angles) {
+TEST(SixteenAtOnce, Angles) {
     ForManyNumbers([](Point2fX16 u) {
         const FloatX16 turns = 8 * u.x - 4, x = 2 * u.x - 1, y = 2 * u.y - 1;
         const SinCosT<FloatX16> wide = SinCosTurns(turns);
@@ -74,36 +74,13 @@ TEST(WideMath, Angles) {
     });
 }
 
-TEST(WideMath, FastInverseRoot) {
-    Rng rng(5);
-    for (int round = 0; round < 1000; ++round) {
-        FloatX16 a;
-        for (int i = 0; i < kPacketSize; ++i)
-            a[i] = std::exp2(250 * rng.Uniform() - 122);
-        const FloatX16 root = FastInverseRoot(a);
-        for (int i = 0; i < kPacketSize; ++i)
-            EXPECT_NEAR(double(root[i]) * std::sqrt(double(a[i])), 1, 0x1p-14);
-    }
-}
-
-TEST(WideMath, InclusiveScan) {
-    Rng rng(6);
-    FloatX16 a;
-    for (int i = 0; i < kPacketSize; ++i)
-        a[i] = float(rng.Below(1000));
-    const FloatX16 sums = InclusiveScan(a);
-    float sum = 0;
-    for (int i = 0; i < kPacketSize; ++i)
-        EXPECT_EQ(sums[i], sum += a[i]);
-}
-
-TEST(WideMath, PowerHeuristic) {
+TEST(SixteenAtOnce, PowerHeuristic) {
     FloatX16 f, g;
     constexpr float kValues[] = {0, 1e-30f, 0.3f, 7, 1e10f, 1e30f};
     for (float a : kValues)
         for (float b : kValues) {
             if (a == 0 && b == 0) continue;
-            f = Broadcast16(a), g = Broadcast16(b);
+            f = a, g = b;
             const float wide = PowerHeuristic(f, g)[5], one = PowerHeuristic(a, b);
             if (one == one) ExpectNear(wide, one);
             EXPECT_EQ(wide == wide, one == one);
@@ -111,7 +88,7 @@ TEST(WideMath, PowerHeuristic) {
 }
 
 /// Steps are found by comparison alone, so they are the same.
-TEST(WideMath, PiecewiseConstant2D) {
+TEST(SixteenAtOnce, PiecewiseConstant2D) {
     Rng rng(3);
     for (const auto &[nu, nv] : {std::pair{1, 1}, {5, 3}, {16, 16}, {100, 33}}) {
         std::vector<float> f(size_t(nu * nv));

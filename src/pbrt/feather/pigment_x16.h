@@ -9,10 +9,12 @@
 #include <tuple>
 #include <utility>
 
+#include "../simd/math.h"
+#include "../simd/permute.h"
 #include "arc.h"
 #include "bend.h"
 #include "direction.h"
-#include "lanes.h"
+#include "fields.h"
 #include "pigment_nodes.h"
 #include "pigment_rule.h"
 #include "quadrature.h"
@@ -24,16 +26,17 @@ namespace pbrt::feather {
 /// The integral of TRT of sixteen pairs of directions (see PigmentIntegral), by the rules of
 /// RuleChoice.
 ///
-/// First two segments of every pair, lane by lane. What pairs with more segments have left is
-/// gathered, a segment a lane; where that fills few lanes, two or four share a segment's points.
+/// First two segments of every pair, a pair a lane. What pairs with more segments have left is
+/// gathered, a segment a lane; where that fills few lanes, teams of two or four divide a segment's
+/// points.
 template <std::floating_point T, std::size_t N>
-class PigmentOfLanes {
+class PigmentX16 {
   public:
-    using V = Lanes<T>;
+    using V = SimdX16<T>;
 
     /// All must outlive this.
-    PigmentOfLanes(const Row<V> &row, const Bend<V> &bend, const std::array<Film<V>, N> &films,
-                   const Direction<V> &wo, const Direction<V> &wi)
+    PigmentX16(const Row<V> &row, const Bend<V> &bend, const std::array<Film<V>, N> &films,
+               const Direction<V> &wo, const Direction<V> &wi)
         : row(row), bend(bend), films(films), choice(row, bend, films, wo, wi) {
         const auto [shared, any] = bend.SeenByBoth(wo, wi);
         pairs = {wo, wi, shared};
@@ -41,7 +44,7 @@ class PigmentOfLanes {
     }
 
     /// Lanes that are `off` give 0.
-    void Integrate(const MaskOf<V> &off, std::array<V, N> *integral) {
+    void Integrate(const MaskFor<V> &off, std::array<V, N> *integral) {
         const auto on = seen & !off;
         sums.fill(V(0));
         AddAll<4>(on & (choice.points == 4));
@@ -53,7 +56,7 @@ class PigmentOfLanes {
     }
 
   private:
-    using Numbers = std::array<T, kLanes>;
+    using Numbers = std::array<T, kPacketSize>;
 
     struct Pairs {
         Direction<V> wo, wi;
@@ -72,15 +75,15 @@ class PigmentOfLanes {
     /// Nodes and weights in the bend, by some number.
     struct Table {
         Numbers node{}, weight{};
-        V NodeAt(const LaneIndex &index) const { return Permute(V::At(node.data()), index); }
-        V WeightAt(const LaneIndex &index) const { return Permute(V::At(weight.data()), index); }
+        V NodeAt(const IntX16 &index) const { return Permute(V::Load(node.data()), index); }
+        V WeightAt(const IntX16 &index) const { return Permute(V::Load(weight.data()), index); }
     };
     template <int n>
     static constexpr void Copy(int segment, Table *to, int place) {
         to->node[place] = kGaussLegendre<T, n>.node[segment];
         to->weight[place] = kGaussLegendre<T, n>.weight[segment];
     }
-    /// Of the first and of the second of n segments, by n.
+    /// The first and the second of n segments, by n.
     static constexpr std::array<Table, 2> kFirst = [] {
         std::array<Table, 2> tables;
         for (int k = 0; k < 2; ++k) {
@@ -92,41 +95,46 @@ class PigmentOfLanes {
         }
         return tables;
     }();
-    /// Of the others, all in turn; what is left has no weight.
-    static constexpr std::array<int, 9> kRestOf = {0, 0, 0, 0, 1, 0, 3, 0, 7};
-    static constexpr int kNone = kLanes - 1;
+    /// One table holds the segments from the third on of all rules, one rule after another, so that
+    /// sixteen segments of different rules are looked up at once. By the number n of a rule's
+    /// segments: the place of its third one. A rule has n - 2 such segments: 1, 2, 4 and 6.
+    static constexpr std::array<int, 9> kThirdOf = {-1, -1, -1, 0, 1, -1, 3, -1, 7};
+    /// A place behind them all: its weight is 0.
+    static constexpr int kNone = kPacketSize - 1;
+    static_assert(kThirdOf[8] + 6 <= kNone);
     static constexpr Table kRest = [] {
         Table table;
-        Copy<3>(2, &table, kRestOf[3]);
+        Copy<3>(2, &table, kThirdOf[3]);
         for (int k = 0; k < 2; ++k)
-            Copy<4>(2 + k, &table, kRestOf[4] + k);
+            Copy<4>(2 + k, &table, kThirdOf[4] + k);
         for (int k = 0; k < 4; ++k)
-            Copy<6>(2 + k, &table, kRestOf[6] + k);
+            Copy<6>(2 + k, &table, kThirdOf[6] + k);
         for (int k = 0; k < 6; ++k)
-            Copy<8>(2 + k, &table, kRestOf[8] + k);
+            Copy<8>(2 + k, &table, kThirdOf[8] + k);
         return table;
     }();
 
-    /// Node j of lane l where each Gauss point has its lane of every `Shares`.
-    template <int Points, int Shares>
-    struct SharedPoints {
-        std::array<Numbers, Points / Shares> node, weight;
+    /// The points of a segment on which kTeam lanes in a row work, each on every kTeam-th: node j
+    /// of lane l.
+    template <int Points, int kTeam>
+    struct TeamPoints {
+        std::array<Numbers, Points / kTeam> node, weight;
     };
-    template <int Points, int Shares>
-    static constexpr SharedPoints<Points, Shares> MakeSharedPoints() {
-        SharedPoints<Points, Shares> points{};
-        for (int j = 0; j < Points / Shares; ++j)
-            for (int l = 0; l < kLanes; ++l) {
-                points.node[j][l] = kGaussLegendre<T, Points>.node[j * Shares + l % Shares];
-                points.weight[j][l] = kGaussLegendre<T, Points>.weight[j * Shares + l % Shares];
+    template <int Points, int kTeam>
+    static constexpr TeamPoints<Points, kTeam> MakeTeamPoints() {
+        TeamPoints<Points, kTeam> points{};
+        for (int j = 0; j < Points / kTeam; ++j)
+            for (int l = 0; l < kPacketSize; ++l) {
+                points.node[j][l] = kGaussLegendre<T, Points>.node[j * kTeam + l % kTeam];
+                points.weight[j][l] = kGaussLegendre<T, Points>.weight[j * kTeam + l % kTeam];
             }
         return points;
     }
-    template <int Points, int Shares>
-    static constexpr auto kSharedPoints = MakeSharedPoints<Points, Shares>();
+    template <int Points, int kTeam>
+    static constexpr auto kTeamPoints = MakeTeamPoints<Points, kTeam>();
 
     template <int Points>
-    void AddAll(const MaskOf<V> &on) {
+    void AddAll(const MaskFor<V> &on) {
         const uint32_t lanes = BitsOf(on);
         if (lanes == 0) return;
         AddFirst<Points, 0>(on);
@@ -137,7 +145,7 @@ class PigmentOfLanes {
 
     /// Segment k = 0, 1 of each pair.
     template <int Points, int k>
-    void AddFirst(const MaskOf<V> &on) {
+    void AddFirst(const MaskFor<V> &on) {
         const auto two = choice.segments == 2;
         const auto pointAt = [&](int j) __attribute__((always_inline)) {
             const RulePoint<T> interleaved = kInterleaved<Points>[k][j],
@@ -145,7 +153,7 @@ class PigmentOfLanes {
             return std::pair{Select(two, V(interleaved.node), V(own.node)),
                              Select(two, V(interleaved.weight), V(own.weight))};
         };
-        const LaneIndex index = IndexOf(choice.segments);
+        const IntX16 index = Convert<int32_t>(choice.segments);
         std::array<V, N> more;
         Segment<Points>(
             row, pairs, [&](std::size_t i) -> auto & { return films[i].twice; },
@@ -165,55 +173,55 @@ class PigmentOfLanes {
     /// What is left of the given lanes' pairs, sixteen segments at a time.
     template <int Points>
     void AddRest(uint32_t lanes) {
-        T segments[kLanes];
+        T segments[kPacketSize];
         choice.segments.Store(segments);
-        int32_t pair[7 * kLanes], segment[7 * kLanes];
+        int32_t pair[7 * kPacketSize], segment[7 * kPacketSize];
         int count = 0;
         for (; lanes != 0; lanes &= lanes - 1) {
             const int lane = std::countr_zero(lanes), n = int(segments[lane]);
             for (int k = 0; k < n - 2; ++k, ++count)
-                pair[count] = lane, segment[count] = kRestOf[n] + k;
+                pair[count] = lane, segment[count] = kThirdOf[n] + k;
         }
-        std::fill_n(pair + count, kLanes, 0);
-        std::fill_n(segment + count, kLanes, kNone);
-        for (int from = 0; from < count; from += kLanes) {
+        std::fill_n(pair + count, kPacketSize, 0);
+        std::fill_n(segment + count, kPacketSize, kNone);
+        for (int from = 0; from < count; from += kPacketSize) {
             const int left = count - from;
             if (left <= 4)
                 AddGathered<Points, 4>(pair + from, segment + from, left);
             else if (left <= 8)
                 AddGathered<Points, 2>(pair + from, segment + from, left);
             else
-                AddGathered<Points, 1>(pair + from, segment + from, std::min(left, kLanes));
+                AddGathered<Points, 1>(pair + from, segment + from, std::min(left, kPacketSize));
         }
     }
 
-    /// `count` segments, each by `Shares` lanes.
-    template <int Points, int Shares>
+    /// `count` segments, each by a team of kTeam lanes, which divide its points among them.
+    template <int Points, int kTeam>
     [[gnu::noinline]] void AddGathered(const int32_t *pair, const int32_t *segment, int count) {
-        const LaneIndex pairOf = Repeat<Shares>(pair), segmentOf = Repeat<Shares>(segment);
+        const IntX16 pairOf = Repeat<kTeam>(pair), segmentOf = Repeat<kTeam>(segment);
         Row<V> rowThere;
         Pairs there;
         std::array<RoundTripTransmittance<V>, N> filmsThere;
-        TakeLanes(rowThere.Fields(), row.Fields(), pairOf);
-        TakeLanes(there.Fields(), std::as_const(pairs).Fields(), pairOf);
+        PermuteFields(rowThere.Fields(), row.Fields(), pairOf);
+        PermuteFields(there.Fields(), std::as_const(pairs).Fields(), pairOf);
         for (std::size_t i = 0; i < N; ++i)
-            TakeLanes(filmsThere[i].Fields(), films[i].twice.Fields(), pairOf);
-        constexpr auto &points = kSharedPoints<Points, Shares>;
+            PermuteFields(filmsThere[i].Fields(), films[i].twice.Fields(), pairOf);
+        constexpr auto &points = kTeamPoints<Points, kTeam>;
         std::array<V, N> more;
-        Segment<Points / Shares>(
+        Segment<Points / kTeam>(
             rowThere, there, [&](std::size_t i) -> auto & { return filmsThere[i]; },
             kRest.NodeAt(segmentOf), kRest.WeightAt(segmentOf),
             [&](int j) __attribute__((always_inline)) {
-                return std::pair{V::At(points.node[j].data()), V::At(points.weight[j].data())};
+                return std::pair{V::Load(points.node[j].data()), V::Load(points.weight[j].data())};
             },
             &more);
         for (std::size_t i = 0; i < N; ++i) {
-            if constexpr (Shares > 1)
-                more[i] = more[i] + Permuted(more[i], [](int k) { return k ^ 1; });
-            if constexpr (Shares > 2)
-                more[i] = more[i] + Permuted(more[i], [](int k) { return k ^ 2; });
+            if constexpr (kTeam > 1)
+                more[i] = more[i] + Permute(more[i], [](int k) { return k ^ 1; });
+            if constexpr (kTeam > 2)
+                more[i] = more[i] + Permute(more[i], [](int k) { return k ^ 2; });
             for (int k = 0; k < count; ++k)
-                sums[i].Set(pair[k], sums[i][pair[k]] + more[i][k * Shares]);
+                sums[i].Set(pair[k], sums[i][pair[k]] + more[i][k * kTeam]);
         }
     }
 
@@ -248,7 +256,7 @@ class PigmentOfLanes {
     const std::array<Film<V>, N> &films;
     RuleChoice<V> choice;
     Pairs pairs;
-    MaskOf<V> seen;
+    MaskFor<V> seen;
     std::array<V, N> sums;
 };
 
