@@ -1,5 +1,6 @@
 #pragma once
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <array>
@@ -8,9 +9,7 @@
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
 #include "lights/light_scene.h"
-
 #include "pbrt/image/image.h"
 #include "scene/parse.h"
 #include "support/every_type.h"
