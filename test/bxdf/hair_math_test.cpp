@@ -33,8 +33,10 @@ TEST(Longitudinal, AgainstTheFormulaInDouble) {
             const double theta_i = std::clamp(
                 -theta_o + 10 * std::sqrt(double(v)) * (rng.Uniform() - 0.5), -kPi / 2, kPi / 2);
             const double exact = ExactDensity(theta_i, theta_o, v);
-            // The sines' and cosines' own rounding, 6e-8, against the width of the lobe.
-            const double rounding = 6e-8 * 6 / std::sqrt(double(v));
+            // The sines' and cosines' own rounding, 6e-8, against the width of the lobe, and four
+            // roundings of the exponent.
+            const double rounding =
+                6e-8 * (6 / std::sqrt(double(v)) + 4 * (1 - std::cos(theta_i + theta_o)) / v);
             EXPECT_NEAR(distribution.PDF(At(theta_i), At(theta_o))[0] / exact, 1, 1e-6 + rounding)
                 << v << " " << theta_i << " " << theta_o;
         }
