@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "pbrt/textures/textures.h"
 #include "support/temp_folder.h"
 #include "textures/texture_scene.h"
 
@@ -12,10 +13,10 @@ std::string MessagesOf(const std::string &world) {
 }
 
 TEST(TextureErrors, UnknownClassNamesTheKnownOnes) {
-    EXPECT_EQ(
-        MessagesOf(R"(Texture "a" "float" "chekerboard")"),
-        "t.pbrt:2:1: unknown texture class \"chekerboard\"; did you mean \"checkerboard\"? "
-        "Known: \"checkerboard\", \"constant\", \"imagemap\", \"mix\", \"ptex\" or \"scale\"\n");
+    EXPECT_EQ(MessagesOf(R"(Texture "a" "float" "chekerboard")"),
+              fmt::format("t.pbrt:2:1: unknown texture class \"chekerboard\"; did you mean "
+                          "\"checkerboard\"? Known: {}\n",
+                          QuotedList(TextureTypes::kNames)));
 }
 
 TEST(TextureErrors, UnknownTextureNamesTheNearest) {
@@ -38,9 +39,9 @@ TEST(TextureErrors, OneMistakeIsOneMessage) {
     // The texture that could not be made stands in for its uses.
     EXPECT_EQ(MessagesOf("Texture \"a\" \"spectrum\" \"marble\"\n"
                          "Texture \"b\" \"spectrum\" \"scale\" \"texture tex\" \"a\""),
-              "t.pbrt:2:1: unknown texture class \"marble\"; pbrt-v4 has it, not built here. "
-              "Known: \"checkerboard\", "
-              "\"constant\", \"imagemap\", \"mix\", \"ptex\" or \"scale\"\n");
+              fmt::format("t.pbrt:2:1: unknown texture class \"marble\"; pbrt-v4 has it, not "
+                          "built here. Known: {}\n",
+                          QuotedList(TextureTypes::kNames)));
 }
 
 TEST(TextureErrors, TexturesOfVeryManyAreRefused) {

@@ -124,10 +124,11 @@ struct TextureBuilder;
 ///   CreateSpectrum(builder)  the same of a spectrum, in each role that it can have: values of an
 ///                            albedo lie in [0, 1], of the others are >= 0
 ///
-/// Either fills in what the builder has for it: builder.readsUV where the surface's uv are looked
-/// at (else meshes without uv get no warning), builder.named.readFootprints where the steps per
-/// pixel are (else they may be 0: a scene none of whose textures reads them does not work them
-/// out).
+/// kExamples serve floats and spectra alike; files that they name are example.exr and example.ptx,
+/// which the tests write. Either function fills in what the builder has for it: builder.readsUV
+/// where the surface's uv are looked at (else meshes without uv get no warning),
+/// builder.named.readFootprints where the steps per pixel are (else they may be 0: a scene none of
+/// whose textures reads them does not work them out).
 template <typename T>
 concept TextureType = PlugInType<T> && requires(TextureBuilder &builder) {
     { T::CreateFloat(builder) } -> std::convertible_to<FloatTexture>;
