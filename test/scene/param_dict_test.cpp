@@ -231,6 +231,8 @@ TEST(ParamDict, HasLooksWithoutReading) {
     EXPECT_TRUE(d->Has(F("f")));
     EXPECT_TRUE(d->HasOrTexture(F("f")));
     EXPECT_FALSE(d->Has(I("f")));
+    EXPECT_TRUE(d->IsNamed("f"));
+    EXPECT_FALSE(d->IsNamed("h"));
     EXPECT_TRUE(d->Has(L("g")));
     EXPECT_FALSE(d->HasOrTexture(L("h")));
     Dict textured(R"("texture f" "t")");

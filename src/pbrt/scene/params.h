@@ -85,6 +85,9 @@ class ParamDict {
     /// knowing the name. HasOrTexture: where a texture was given, too.
     bool Has(const ParamRow &row);
     bool HasOrTexture(const ParamRow &row);
+    /// True where a parameter of that name was given, of whatever type: a wrong one is an error of
+    /// its own.
+    bool IsNamed(std::string_view name) const { return FindLast(name, {}).has_value(); }
     /// The rows that were asked for, each once, in that order; those of one name stand together (a
     /// parameter may be a float or a spectrum).
     const std::vector<RequestedParam> &Requested() const { return requested; }
