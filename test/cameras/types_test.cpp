@@ -90,7 +90,7 @@ TYPED_TEST(EveryCamera, SixteenRaysAreAsOneByOne) {
         for (int i = 0; i < kPacketSize; ++i) {
             SetLane(&film, i, OnFilm(rng));
             SetLane(&lens, i, rng.Uniform2D());
-            time[i] = rng.Uniform();
+            time.Set(i, rng.Uniform());
         }
         const RayPacket rays = GenerateRays(camera, film, lens, time);
         for (int i = 0; i < kPacketSize; ++i) {
