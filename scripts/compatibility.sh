@@ -13,9 +13,10 @@ bin=${1:-$root/build/bin}
 
 quoted() { grep -o '"[^"]*"' | tr -d '"'; }
 
-# Names of a kind.
+# Names of a kind of plug-in; nothing of other kinds.
 names() {
   case $1 in
+    'option of '* | 'command of '*) ;;
     'texture class') "$bin/pbrt" --explain 'float texture' ;;
     *) "$bin/pbrt" --explain "$1" ;;
   esac

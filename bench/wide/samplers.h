@@ -11,7 +11,8 @@ namespace pbrt::bench {
 /// sorted vertices do.
 template <typename S>
 void AddSampler(Stopwatch &watch, const std::string &name, S sampler) {
-    constexpr int kPixels = 16, kSamples = 64, kDimensions = 15;
+    constexpr int kLog2Pixels = 4, kLog2Samples = 6, kDimensions = 15;
+    constexpr int kPixels = 1 << kLog2Pixels, kSamples = 1 << kLog2Samples;
     std::vector<Point2i> pixels;
     for (int i = 0; i < kPixels; ++i)
         pixels.push_back({i % 4 + 100, i / 4 + 60});
@@ -35,8 +36,8 @@ void AddSampler(Stopwatch &watch, const std::string &name, S sampler) {
             for (int d = 0; d < kDimensions; ++d)
                 for (uint32_t i = 0; i < kPixels * kSamples; i += kPacketSize) {
                     const UintX16 path = i + kLaneNumbers;
-                    const Point2fX16 u = mixed ? sampler.Get2D(d, path % kPixels, path / kPixels)
-                                               : sampler.Get2D(d, path / kSamples, path % kSamples);
+                    const Point2fX16 u = mixed ? sampler.Get2D(d, path & (kPixels - 1), path >> kLog2Pixels)
+                                               : sampler.Get2D(d, path >> kLog2Samples, path & (kSamples - 1));
                     sum += u.x + u.y;
                 }
             return double(sum[0]);

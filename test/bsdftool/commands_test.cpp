@@ -23,7 +23,7 @@ TEST_F(BsdfTool, EveryCommandHasAManual) {
 TEST_F(BsdfTool, UnknownNamesComeWithTheNearest) {
     EXPECT_EQ(Fail({"furnice", kFeather}),
               "bsdftool: unknown command \"furnice\"; did you mean \"furnace\"?\nexpected "
-              "\"bench\", \"eval\", \"furnace\", \"plot\" or \"spectrum\"\n");
+              "\"eval\", \"furnace\", \"plot\" or \"spectrum\"\n");
     EXPECT_EQ(Fail({"furnace", kFeather, "--theta", "3"}),
               "bsdftool furnace: unknown option --theta; did you mean --thetas?\n"
               "(\"bsdftool furnace --help\" lists the options)\n");

@@ -20,7 +20,11 @@ SampledWavelengths Wavelengths(Rng &rng) {
 }
 /// The CIE-Y integral of what has radiance L at these wavelengths, in the mean over wavelengths.
 double Luminance(const SampledSpectrum &L, const SampledWavelengths &lambda) {
-    return double((SafeDiv(L, lambda.PDF()) * spectra::Y().Sample(lambda)).Average());
+    const SampledSpectrum pdf = lambda.PDF(), y = spectra::Y().Sample(lambda);
+    double sum = 0;
+    for (int i = 0; i < NSpectrumSamples; ++i)
+        sum += pdf[i] == 0 ? 0 : double(L[i]) * y[i] / pdf[i];
+    return sum / NSpectrumSamples;
 }
 
 /// f(case, context, wavelengths, sample) for samples of each example from places in the scene.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <array>
@@ -100,7 +101,6 @@ inline void AddLights(const std::string &text, const std::string &dir, Parsed &p
 template <typename L>
 std::vector<LightCase> CasesOf() {
     const SkyFolder folder;
-    const std::string name = "\"" + std::string(L::kName) + "\" ";
     std::vector<LightCase> cases;
     const auto add = [&](const std::string &text) {
         const auto parsed = ParseWorld(text, folder.Name());
@@ -115,10 +115,10 @@ std::vector<LightCase> CasesOf() {
     for (const std::string_view example : L::kExamples) {
         if (L::kTraits.isArea)
             for (const std::string_view emitter : kEmitters)
-                add("AreaLightSource " + name + std::string(example) + " " + std::string(emitter));
+                add(fmt::format("AreaLightSource \"{}\" {} {}", L::kName, example, emitter));
         else
             for (const std::string_view place : kLightPlaces)
-                add(std::string(place) + " LightSource " + name + std::string(example));
+                add(fmt::format("{} LightSource \"{}\" {}", place, L::kName, example));
     }
     const float half = kSceneRadius / std::sqrt(3.f);
     for (LightCase &c : cases)

@@ -84,7 +84,6 @@ const std::vector<Exception> &Exceptions() {
              {"camera \"perspective\"", "camera \"orthographic\""}) {
             list.push_back({camera, "shutteropen", {}, true, false});
             list.push_back({camera, "shutterclose", {}, false, true});
-            list.push_back({camera, "lensradius", {}, true, false});
         }
         for (const std::string_view quadric :
              {"shape \"sphere\"", "shape \"disk\"", "shape \"cylinder\""})

@@ -87,7 +87,7 @@ TEST(SamplerBatch, AnyIndexInLanesNotWanted) {
             []<typename S>(const S &sampler) {
                 BatchSampler<S> s(sampler);
                 s.StartBatch(Pixels(16));
-                const UintX16 good{}, wild = Select(kLaneNumbers % 2 == 0, good, ~kLaneNumbers);
+                const UintX16 good{}, wild = Select((kLaneNumbers & 1u) == 0u, good, ~kLaneNumbers);
                 const FloatX16 a = s.Get1D(3, kLaneNumbers, good),
                                b = s.Get1D(3, kLaneNumbers, wild);
                 for (int i = 0; i < kPacketSize; i += 2)
@@ -105,7 +105,7 @@ TEST(SamplerBatch, OneByOneGivesTheSameNumbers) {
     OneByOneSampler<IndependentSampler> oneByOne(sampler);
     own.StartBatch(pixels);
     oneByOne.StartBatch(pixels);
-    const UintX16 index = kLaneNumbers % 16;
+    const UintX16 index = kLaneNumbers & 15u;
     for (const int dimension : {0, 3, 100}) {
         const FloatX16 a = own.Get1D(dimension, kLaneNumbers, index),
                        b = oneByOne.Get1D(dimension, kLaneNumbers, index);

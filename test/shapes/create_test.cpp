@@ -13,15 +13,15 @@ void ExpectSays(std::string_view text, const Texts &messages) {
 
 TEST(CreateShapes, QuadricsRejectWhatCannotBe) {
     ExpectSays(R"(Shape "sphere" "float radius" 0)",
-               {R"(test.pbrt:2:16: "float radius": 0 is not more than 0)"});
+               {R"(test.pbrt:2:31: "float radius": 0 is not more than 0)"});
     ExpectSays(R"(Shape "sphere" "float radius" -2)",
-               {R"(test.pbrt:2:16: "float radius": -2 is not more than 0)"});
+               {R"(test.pbrt:2:31: "float radius": -2 is not more than 0)"});
     ExpectSays(R"(Shape "sphere" "float zmin" 0.5 "float zmax" -0.5)",
                {"test.pbrt:2:16: zmin, 0.5, is not less than zmax, -0.5"});
     ExpectSays(R"(Shape "sphere" "float zmin" 2 "float zmax" 3)",
                {"test.pbrt:2:16: zmin, 2, to zmax, 3, leaves nothing of the radius, 1"});
     ExpectSays(R"(Shape "sphere" "float phimax" 0)",
-               {R"(test.pbrt:2:16: "float phimax": 0 is outside (0, 360] deg)"});
+               {R"(test.pbrt:2:31: "float phimax": 0 is outside (0, 360] deg)"});
     ExpectSays(R"(Shape "disk" "float innerradius" 1)",
                {R"(test.pbrt:2:14: "float innerradius": 1 is outside [0, 1))"});
     ExpectSays(R"(Shape "cylinder" "float zmax" -1)",

@@ -37,7 +37,8 @@ TriangleMesh Triangles(Rng &rng, int attributes) {
         if (attributes & kTangents) mesh.s.push_back(i < 6 ? Vector3f{} : Direction(rng));
         if (attributes & kFaces) mesh.faceIndices.push_back(int(rng.Below(1000)));
     }
-    mesh.p[5] = mesh.p[4];
+    // Of small numbers, so that its edges' cross product is 0 however it is rounded.
+    mesh.p[3] = {0, 1, 0}, mesh.p[4] = mesh.p[5] = {1, 2, -1};
     if (attributes & kUV) mesh.uv[8] = mesh.uv[7];
     mesh.flipNormal = attributes & kFlip;
     return mesh;

@@ -47,6 +47,8 @@ struct SpotLight {
         Transform lightFromRender;
         Vector3f axis;  ///< unit, light space
         float cosStart, cosEnd;
+        float solidAngle;  ///< of the cone in rendering space, weighted by the falloff
+        bool keepsAngles;  ///< the cone is round in rendering space, too
     };
     std::shared_ptr<const Beam> beam;
     Point3f p;

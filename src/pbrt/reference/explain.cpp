@@ -62,7 +62,8 @@ Explanation ExplainFamily(const Family &family, std::string_view type) {
 Explanation Explain(std::string_view what) {
     what = Trimmed(what);
     if (what == kAll) return {Manual(), {}};
-    if (what == kOption) return {TextTable(Options()), {}};
+    const std::string_view first = what.substr(0, what.find_first_of(" \""));
+    if (first == kOption) return {TextTable(Options()), {}};
     std::vector<std::string_view> names;
     for (const Family &family : Families()) {
         names.push_back(family.name);
@@ -72,7 +73,7 @@ Explanation Explain(std::string_view what) {
             return ExplainFamily(family, Trimmed(rest));
     }
     names.insert(names.end(), {kOption, kAll});
-    return {{}, UnknownName("family", what.substr(0, what.find_first_of(" \"")), names)};
+    return {{}, UnknownName("family", first, names)};
 }
 
 }  // namespace pbrt::reference

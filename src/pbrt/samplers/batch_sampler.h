@@ -20,7 +20,7 @@ class OneByOneSampler {
         FloatX16 numbers;
         for (int i = 0; i < kPacketSize; ++i) {
             Start(dimension, pixel[i], index[i]);
-            numbers[i] = sampler.Get1D();
+            numbers.Set(i, sampler.Get1D());
         }
         return numbers;
     }

@@ -7,7 +7,7 @@ namespace pbrt {
 /// The same `value` everywhere. Leaves no node behind.
 struct ConstantTexture {
     static constexpr std::string_view kName = "constant";
-    static constexpr std::array<std::string_view, 2> kExamples{"", "\"float value\" 0.3"};
+    static constexpr std::array<std::string_view, 1> kExamples{""};
     static constexpr FloatParam kValue{"value", "", 1, -kOpen, kOpen, "the texture's value"};
     static constexpr SpectrumParam kSpectrum{"value", SpectrumType::Unbounded, "1",
                                              "the texture's value"};

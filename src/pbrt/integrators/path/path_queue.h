@@ -38,7 +38,7 @@ class PathQueue {
     /// Whether PathState::previous has its normal: where somebody reads them. Before the first Add.
     void KeepNormals(bool keep) { keepsNormals = keep; }
 
-    void Add(const PathPacket &paths, LaneBits lanes) {
+    [[gnu::always_inline]] void Add(const PathPacket &paths, LaneBits lanes) {
         const size_t end = size_t(size);
         Compress(&slot[end], paths.slot, lanes);
         o.Put(size, paths.o, lanes);
