@@ -52,7 +52,8 @@ TYPED_TEST(EveryTracedShape, SurfacesLieOnTheirRaysAndInTheirBounds) {
             // Where the ray is at t, which is a float: at grazing angles the surface's point is off
             // along the ray by a rounding of the whole over the cosine.
             const float size = Length(ray.o) + Length(ray(hit.t));
-            EXPECT_LE(Length(s.p - ray(hit.t)), 4e-6f * size) << c.text;
+            const float cosine = std::abs(Dot(s.n, ray.d)) / Length(ray.d);
+            EXPECT_LE(Length(s.p - ray(hit.t)) * cosine, 4e-6f * size) << c.text;
             const Bounds3f b = PrimitiveBounds(c.shape, hit.primitive);
             for (int k = 0; k < 3; ++k) {
                 EXPECT_GE(s.p[k], b.min[k] - s.pError[k] - 1e-6f) << c.text;

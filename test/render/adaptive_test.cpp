@@ -120,9 +120,9 @@ TEST(TargetError, TheSameBitsForAnyNumberOfThreads) {
 }
 
 TEST(TargetError, BiasIsBelowAThousandth) {
-    // Stopping looks at what it averages. Means of 40 pictures against those of all samples.
+    // Stopping looks at what it averages. Means of 50 pictures against those of all samples.
     double sum = 0, sumSqr = 0;
-    constexpr int n = 40;
+    constexpr int n = 50;
     const double exact = test::Mean(Converged())[0];
     for (int k = 0; k < n; ++k) {
         const double ratio = test::Mean(RenderTo(Room("independent"), 0.1f, k).image)[0] / exact;

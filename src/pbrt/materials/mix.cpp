@@ -35,7 +35,7 @@ MixMaterial MixMaterial::Create(ParamDict &params, const NamedTextures &textures
     const std::vector<std::string> names = params.GetStringArray(kMaterials);
     if (names.size() == 2)
         m.materials = {Find(names[0], params, named), Find(names[1], params, named)};
-    else if (!names.empty() || !params.Has(kMaterials))
+    else if (!names.empty() || params.Loc(kMaterials.name) == params.Directive())  // not given
         params.Error(kMaterials.name, "\"materials\" needs the names of two materials");
     m.amount = {params, textures, kAmount};
     return m;

@@ -154,8 +154,9 @@ class BatchTracer final : public Tracer {
         paths.SetHits(place, hits, met);
         const MaskX16 found = MaskOf(met);
         const UintX16 geometry = Select(found, hits.geometry, 0);
-        UintX16 material = Select(found, Gather(materialOf.data(), geometry), 0);
-        UintX16 kind = Select(found, Gather(kindOf.data(), geometry), 0);
+        // A scene may have no geometry at all.
+        UintX16 material = met ? Gather(materialOf.data(), geometry) : UintX16(0);
+        UintX16 kind = met ? Gather(kindOf.data(), geometry) : UintX16(0);
         ForEachLane(met & BitsOf(kind == kMix), [&](int i) {
             const Ray ray = packet.At(i);
             const MaterialId id = scene.MaterialMet(
