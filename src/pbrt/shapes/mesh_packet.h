@@ -77,10 +77,10 @@ struct MeshPacket {
 };
 
 /// Turns n to the outside, and interpolated normals, where the mesh has them, say what that is.
-template <typename Lanes, typename Interpolated>
-inline void SetNormals(const Lanes &lanes, LaneBits smooth, const Interpolated &interpolated,
+template <typename Packet, typename Interpolated>
+inline void SetNormals(const Packet &meshes, LaneBits smooth, const Interpolated &interpolated,
                        SurfaceInteractionX16 *s) {
-    s->n = s->ns = Select(MaskOf(lanes.flipped), -s->n, s->n);
+    s->n = s->ns = Select(MaskOf(meshes.flipped), -s->n, s->n);
     if (smooth == 0) return;
     s->ns = UnitOr(interpolated(), s->n);
     s->n = FaceForward(s->n, s->ns);
