@@ -18,20 +18,16 @@ class EverySimd : public testing::Test {
     using T = typename V::Scalar;
     std::mt19937 random{1};
 
-    /// wide(a, b)[k] is one(a[k], b[k]).
-    template <class Wide, class One>
-    void Expect(const char *name, const Wide &wide, const One &one) {
-        for (int round = 0; round < kRounds; ++round) {
-            const V a = AnyVector<V>(random), b = AnyVector<V>(random);
-            const V all = wide(a, b);
-            for (int k = 0; k < V::kSize; ++k)
-                ASSERT_TRUE(Same(all[k], T(one(a[k], b[k]))))
-                    << name << " of " << a[k] << " and " << b[k] << ": " << all[k];
-        }
-    }
+    /// operation(a, b)[k] is operation(a[k], b[k]).
     template <class Operation>
     void Expect(const char *name, const Operation &operation) {
-        Expect(name, operation, operation);
+        for (int round = 0; round < kRounds; ++round) {
+            const V a = AnyVector<V>(random), b = AnyVector<V>(random);
+            const V all = operation(a, b);
+            for (int k = 0; k < V::kSize; ++k)
+                ASSERT_TRUE(Same(all[k], T(operation(a[k], b[k]))))
+                    << name << " of " << a[k] << " and " << b[k] << ": " << all[k];
+        }
     }
     /// The bits of wide(a, b) and its elements are one(a[k], b[k]).
     template <class Operation>
@@ -66,31 +62,31 @@ TYPED_TEST_SUITE(EverySimd, Everything);
 TYPED_TEST_SUITE(EveryFloatSimd, Floats);
 TYPED_TEST_SUITE(EveryIntSimd, Ints);
 
-/// a op b without the overflow that is undefined for numbers with a sign.
-template <class V, class F>
-auto Wrapping(F f) {
-    return [f](auto a, auto b) {
-        using T = decltype(a);
-        if constexpr (std::is_same_v<T, int32_t>)
-            return T(f(uint32_t(a), uint32_t(b)));
-        else
-            return f(a, b);
-    };
+/// x, or for numbers with a sign x / 2^16: sums and products of two overflow then nowhere.
+template <class X>
+X WithoutOverflow(X x) {
+    return x;
+}
+int32_t WithoutOverflow(int32_t x) {
+    return x >> 16;
+}
+template <int N>
+Simd<int32_t, N> WithoutOverflow(Simd<int32_t, N> x) {
+    return x >> 16;
 }
 
 TYPED_TEST(EverySimd, Arithmetic) {
-    const auto plus = [](auto a, auto b) { return a + b; };
-    const auto minus = [](auto a, auto b) { return a - b; };
-    const auto times = [](auto a, auto b) { return a * b; };
-    this->Expect("+", plus, Wrapping<TypeParam>(plus));
-    this->Expect("-", minus, Wrapping<TypeParam>(minus));
-    this->Expect("*", times, Wrapping<TypeParam>(times));
-    this->Expect(
-        "+=", [](auto a, auto b) { return a += b; }, Wrapping<TypeParam>(plus));
-    this->Expect(
-        "-=", [](auto a, auto b) { return a -= b; }, Wrapping<TypeParam>(minus));
-    this->Expect(
-        "*=", [](auto a, auto b) { return a *= b; }, Wrapping<TypeParam>(times));
+    const auto with = [](auto operation) {
+        return [operation](auto a, auto b) {
+            return operation(WithoutOverflow(a), WithoutOverflow(b));
+        };
+    };
+    this->Expect("+", with([](auto a, auto b) { return a + b; }));
+    this->Expect("-", with([](auto a, auto b) { return a - b; }));
+    this->Expect("*", with([](auto a, auto b) { return a * b; }));
+    this->Expect("+=", with([](auto a, auto b) { return a += b; }));
+    this->Expect("-=", with([](auto a, auto b) { return a -= b; }));
+    this->Expect("*=", with([](auto a, auto b) { return a *= b; }));
 }
 TYPED_TEST(EveryFloatSimd, Division) {
     this->Expect("/", [](auto a, auto b) { return a / b; });

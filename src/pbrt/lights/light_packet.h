@@ -3,6 +3,7 @@
 #include <array>
 
 #include "pbrt/lights/lights.h"
+#include "pbrt/util/lanes_by_type.h"
 
 namespace pbrt {
 
@@ -10,20 +11,15 @@ using LightPacket = std::array<const Light *, kPacketSize>;
 
 /// SampleLi of light[lane] in the given lanes, those without a light (nullptr) apart. What is
 /// sampled becomes valid; other lanes' wi, pdf and pLight become undefined.
-inline void SampleLi(const LightPacket &light, const LightSampleContextX16 &ctx,
-                     const Point2fX16 &u, const WavelengthPacket &lambda, LaneBits lanes,
-                     LightLiSamples *samples) {
-    std::array<LaneBits, LightTypes::kSize> byType{};
-    LaneBits left = 0;
-    ForEachLane(lanes, [&](int i) {
-        const Light *const l = light[size_t(i)];
-        if (!l) return;
-        byType[l->index()] |= LaneBits(1) << i;
-        left |= LaneBits(1) << i;
-    });
+[[gnu::always_inline]] inline void SampleLi(const LightPacket &light,
+                                            const LightSampleContextX16 &ctx, const Point2fX16 &u,
+                                            const WavelengthPacket &lambda, LaneBits lanes,
+                                            LightLiSamples *samples) {
+    const LanesByType<LightTypes> types(light, lanes);
+    LaneBits left = types.All();
     LightTypes::ForEach([&]<typename L>() {
         if constexpr (L::kTraits.isWide) {
-            const LaneBits own = byType[LightTypes::kIndexOf<L>];
+            const LaneBits own = types.Of<L>();
             if (own == 0) return;
             LightsOf<L> lights{};
             ForEachLane(own, [&](int i) { lights[size_t(i)] = std::get_if<L>(light[size_t(i)]); });

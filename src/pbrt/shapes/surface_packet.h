@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "pbrt/shapes/shapes.h"
+#include "pbrt/util/lanes_by_type.h"
 
 namespace pbrt {
 
@@ -14,28 +15,22 @@ struct PacketHits : RayHits {
 
 namespace detail {
 
-/// The active lanes by the number of their shape's type in ShapeTypes.
-struct LanesByType {
-    std::array<LaneBits, ShapeTypes::kSize> lanes{};
+using ShapeLanes = LanesByType<ShapeTypes>;
 
-    LanesByType(const PacketHits &met, LaneBits active) {
-        ForEachLane(active,
-                    [&](int i) { lanes[met.shape[size_t(i)]->index()] |= LaneBits(1) << i; });
-    }
-    /// Those of type S that S::SurfacesAt can do.
-    template <typename S, bool kWithTangents>
-    LaneBits Wide(const PacketHits &met) const {
-        LaneBits wide = 0;
-        ForEachLane(lanes[ShapeTypes::kIndexOf<S>], [&](int i) {
-            const S &s = *std::get_if<S>(met.shape[size_t(i)]);
-            wide |= LaneBits(s.template IsWide<kWithTangents>()) << i;
-        });
-        return wide;
-    }
-};
+/// The lanes of type S that S::SurfacesAt can do.
+template <typename S, bool kWithTangents>
+LaneBits WideLanes(const PacketHits &met, const ShapeLanes &types) {
+    LaneBits wide = 0;
+    ForEachLane(types.Of<S>(), [&](int i) {
+        const S &s = *std::get_if<S>(met.shape[size_t(i)]);
+        wide |= LaneBits(s.template IsWide<kWithTangents>()) << i;
+    });
+    return wide;
+}
 
 template <typename S, bool kWithTangents>
-SurfaceInteractionX16 SurfacesOf(const PacketHits &met, LaneBits lanes) {
+[[gnu::always_inline]] inline SurfaceInteractionX16 SurfacesOf(const PacketHits &met,
+                                                               LaneBits lanes) {
     ShapePacket<S> shapes;
     const int first = std::countr_zero(lanes);
     for (int i = 0; i < kPacketSize; ++i)
@@ -59,13 +54,13 @@ inline void Merge(LaneBits lanes, const SurfaceInteractionX16 &from, SurfaceInte
 /// Type by type, the rest one by one. Merging takes time, too: up to two are faster one by one.
 template <bool kWithTangents>
 SurfaceInteractionX16 MixedSurfaces(const PacketHits &met, LaneBits active,
-                                    const LanesByType &types) {
+                                    const ShapeLanes &types) {
     constexpr int kFewestMerged = 3;
     SurfaceInteractionX16 surfaces;
     LaneBits others = active;
     ShapeTypes::ForEach([&]<typename S>() {
         if constexpr (S::kTraits.fewestWide > 0) {
-            const LaneBits wide = types.Wide<S, kWithTangents>(met);
+            const LaneBits wide = WideLanes<S, kWithTangents>(met, types);
             if (std::popcount(wide) < std::max(kFewestMerged, S::kTraits.fewestWide)) return;
             Merge(wide, SurfacesOf<S, kWithTangents>(met, wide), &surfaces);
             others &= ~wide;
@@ -83,13 +78,13 @@ SurfaceInteractionX16 MixedSurfaces(const PacketHits &met, LaneBits active,
 /// kWithTangents: with dpdu, dpdv, dpdus, uv and faceIndex, else these are undefined.
 template <bool kWithTangents>
 inline SurfaceInteractionX16 SurfacePacket(const PacketHits &met, LaneBits active) {
-    const detail::LanesByType types(met, active);
+    const detail::ShapeLanes types(met.shape, active);
     if (active == 0) return detail::MixedSurfaces<kWithTangents>(met, active, types);
     const Shape &first = *met.shape[size_t(std::countr_zero(active))];
     return Dispatch(first, [&]<typename S>(const S &) {
         if constexpr (S::kTraits.fewestWide > 0)
             if (std::popcount(active) >= S::kTraits.fewestWide &&
-                types.Wide<S, kWithTangents>(met) == active)
+                detail::WideLanes<S, kWithTangents>(met, types) == active)
                 return detail::SurfacesOf<S, kWithTangents>(met, active);
         return detail::MixedSurfaces<kWithTangents>(met, active, types);
     });

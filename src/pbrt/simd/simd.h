@@ -9,8 +9,9 @@ namespace pbrt {
 
 /// N numbers side by side (a power of two; at least 16 bytes): float, double, int32_t, uint32_t,
 /// uint64_t or int64_t. Operators and functions go element by element, and a scalar counts as N
-/// equal ones. Functions that have the same name for scalars (math.h) let a formula be written once
-/// for a type V, which is T or Simd<T, N>. Differences between compilers are told in registers.h.
+/// equal ones; what overflows is undefined where it is for one. Functions that have the same name
+/// for scalars (math.h) let a formula be written once for a type V, which is T or Simd<T, N>.
+/// Differences between compilers are told in registers.h.
 template <class T, int N>
 class Simd {
   public:

@@ -37,7 +37,7 @@ class SampledSpectrum {
     SampledSpectrum &operator*=(float s) { return v *= s, *this; }
 
     /// True where some value differs from 0.
-    explicit operator bool() const { return v[0] != 0 || v[1] != 0 || v[2] != 0 || v[3] != 0; }
+    explicit operator bool() const { return Any(v != 0.f); }
     float MaxComponentValue() const { return std::max(std::max(v[0], v[1]), std::max(v[2], v[3])); }
     float Average() const { return (v[0] + v[1] + v[2] + v[3]) * 0.25f; }
     bool IsFinite() const {

@@ -110,7 +110,7 @@ std::span<const std::string_view> NamedSpectrumNames();
 
 // Hot paths.
 
-inline SampledSpectrum RGBSigmoid::AtAll(SampledSpectrum lambda) const {
+[[gnu::always_inline]] inline SampledSpectrum RGBSigmoid::AtAll(SampledSpectrum lambda) const {
     const FloatX4 l = lambda.Values();
     const FloatX4 polynomial = (c0 * l + c1) * l + c2;
     // Beyond 2^30 the quotient is 1 in float anyway; infinity would give inf / inf.
@@ -118,7 +118,7 @@ inline SampledSpectrum RGBSigmoid::AtAll(SampledSpectrum lambda) const {
     return SampledSpectrum(0.5f + 0.5f * (x / Sqrt(1 + x * x)));
 }
 
-inline SampledSpectrum DenseTable::Sample(SampledSpectrum lambda) const {
+[[gnu::always_inline]] inline SampledSpectrum DenseTable::Sample(SampledSpectrum lambda) const {
     const FloatX4 x = lambda.Values() - LambdaMin;
     const auto inside = (x >= 0) & (x <= float(Size - 1));
     const FloatX4 safe = Select(inside, x, 0);
@@ -130,7 +130,8 @@ inline SampledSpectrum DenseTable::Sample(SampledSpectrum lambda) const {
     return SampledSpectrum(Select(inside, a + t * (b - a), 0));
 }
 
-inline SampledSpectrum Spectrum::Sample(const SampledWavelengths &lambda) const {
+[[gnu::always_inline]] inline SampledSpectrum Spectrum::Sample(
+    const SampledWavelengths &lambda) const {
     switch (kind) {
         case Kind::Constant:
             return SampledSpectrum(scale);

@@ -44,7 +44,7 @@ struct TypeList {
 
 namespace detail {
 template <size_t i, typename V, typename F>
-decltype(auto) DispatchFrom(V &variant, F &f) {
+[[gnu::always_inline]] inline decltype(auto) DispatchFrom(V &variant, F &f) {
     if constexpr (i + 1 == std::variant_size_v<std::remove_const_t<V>>)
         return f(*std::get_if<i>(&variant));
     else
@@ -57,11 +57,11 @@ decltype(auto) DispatchFrom(V &variant, F &f) {
 /// inlined where it is called; all f must return the same type. Also for classes that derive from a
 /// variant.
 template <typename... Ts, typename F>
-decltype(auto) Dispatch(std::variant<Ts...> &variant, F &&f) {
+[[gnu::always_inline]] inline decltype(auto) Dispatch(std::variant<Ts...> &variant, F &&f) {
     return detail::DispatchFrom<0>(variant, f);
 }
 template <typename... Ts, typename F>
-decltype(auto) Dispatch(const std::variant<Ts...> &variant, F &&f) {
+[[gnu::always_inline]] inline decltype(auto) Dispatch(const std::variant<Ts...> &variant, F &&f) {
     return detail::DispatchFrom<0>(variant, f);
 }
 

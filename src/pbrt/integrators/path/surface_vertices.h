@@ -222,16 +222,15 @@ class SurfaceVertices {
     /// sky) to 1.4 times the squared error; at 1/2 and below nothing more is gained.
     static constexpr float kSafeImportance = 2.f / 3;
     void RussianRoulette() {
-        ForEachLane(lanes, [&](int i) {
-            SampledSpectrum &beta = path.beta[size_t(i)];
-            const float importance =
-                (beta * path.etaScale[i]).MaxComponentValue() * (1 / kSafeImportance);
-            if (importance > 0 && (importance >= 1 || path.depth[i] <= 1)) return;
-            if (!(importance > 0) || numbers.roulette[i] >= importance)
-                lanes &= ~(LaneBits(1) << i);
-            else
-                beta *= 1 / importance;
-        });
+        // All at once: a branch for each path would often be foretold wrongly (2 % of a picture).
+        const auto brightest =
+            FloatX16::Generate([&](int i) { return path.beta[size_t(i)].MaxComponentValue(); });
+        const FloatX16 importance = brightest * path.etaScale * (1 / kSafeImportance);
+        const LaneBits positive = BitsOf(importance > 0);
+        const LaneBits safe = positive & BitsOf((importance >= 1) | (path.depth <= 1u));
+        const LaneBits ends = ~positive | (BitsOf(numbers.roulette >= importance) & ~safe);
+        lanes &= ~ends;
+        ForEachLane(lanes & ~safe, [&](int i) { path.beta[size_t(i)] *= 1 / importance[i]; });
     }
 
     const RenderScene &scene;
