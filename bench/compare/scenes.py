@@ -57,7 +57,7 @@ def mesh_1m():
 
 
 def mesh_1m_matte():
-    """On a matt ground, the same in both."""
+    """On a diffuse ground, the same in both."""
     return mesh_on("mesh-1m-matte", Diffuse((0.35, 0.18, 0.12)), tolerance=0.01)
 
 

@@ -8,7 +8,7 @@
 namespace pbrt {
 namespace {
 
-// A lamp over a matt floor, half of the picture black sky.
+// A lamp over a diffuse floor, half of the picture black sky.
 std::string Room(std::string_view sampler) {
     return "LookAt 0 2 -6  0 1 0  0 1 0\n"
            "Camera \"perspective\" \"float fov\" 50\n"

@@ -1,4 +1,4 @@
-// Option "forcediffuse": every surface is matt and reflects as much as its material does.
+// Option "forcediffuse": every surface is diffuse and reflects as much as its material does.
 
 #include <fmt/format.h>
 
@@ -36,12 +36,12 @@ std::string LitPlate(const std::string &material) {
 TEST(ForceDiffuse, AMirrorIsAMattSurfaceOfItsReflectance) {
     const std::string mirror =
         LitPlate("\"conductor\" \"rgb reflectance\" [ 0.5 0.5 0.5 ] \"float roughness\" 0");
-    const auto matt =
+    const auto diffuse =
         Mean(RenderText(Scene("", LitPlate("\"diffuse\" \"rgb reflectance\" [ 0.5 0.5 0.5 ]"))));
     EXPECT_EQ(Mean(RenderText(Scene("", mirror)))[1], 0);
     // Some ten roundings of floats between k, Fresnel's formula and the mean of 16.
     for (int c = 0; c < 3; ++c)
-        EXPECT_NEAR(Mean(RenderText(Scene(kForced, mirror)))[size_t(c)] / matt[size_t(c)], 1,
+        EXPECT_NEAR(Mean(RenderText(Scene(kForced, mirror)))[size_t(c)] / diffuse[size_t(c)], 1,
                     32 * 0x1p-24);
 }
 

@@ -18,16 +18,20 @@ class EverySimd : public testing::Test {
     using T = typename V::Scalar;
     std::mt19937 random{1};
 
-    /// operation(a, b)[k] is operation(a[k], b[k]).
-    template <class Operation>
-    void Expect(const char *name, const Operation &operation) {
+    /// wide(a, b)[k] is one(a[k], b[k]).
+    template <class Wide, class One>
+    void Expect(const char *name, const Wide &wide, const One &one) {
         for (int round = 0; round < kRounds; ++round) {
             const V a = AnyVector<V>(random), b = AnyVector<V>(random);
-            const V all = operation(a, b);
+            const V all = wide(a, b);
             for (int k = 0; k < V::kSize; ++k)
-                ASSERT_TRUE(Same(all[k], T(operation(a[k], b[k]))))
+                ASSERT_TRUE(Same(all[k], T(one(a[k], b[k]))))
                     << name << " of " << a[k] << " and " << b[k] << ": " << all[k];
         }
+    }
+    template <class Operation>
+    void Expect(const char *name, const Operation &operation) {
+        Expect(name, operation, operation);
     }
     /// The bits of wide(a, b) and its elements are one(a[k], b[k]).
     template <class Operation>

@@ -57,7 +57,7 @@ double AddSample(const Part &part, Vector3f wo, const SampleNumbers &numbers, do
         side[part.first + k] += s->f[int(k)] * weight;
         sum += s->f[int(k)] * weight / share;
     }
-    if constexpr (HasParts<decltype(part.bsdf)>) {
+    if constexpr (kIsFeather<decltype(part.bsdf)>) {
         const auto parts = part.bsdf.Lobes(wo, s->wi);
         for (size_t k = 0; k < part.count; ++k) {
             energy.R[part.first + k] += parts.R[int(k)] * weight;
@@ -90,7 +90,7 @@ Albedo AlbedoFrom(const Material &material, const LocalDirection &wo,
         Albedo energy;
         const std::vector<double> none(lambda.size(), 0.0);
         energy.reflected = energy.transmitted = none;
-        if (HasParts<decltype(spectral.parts[0].bsdf)>) energy.R = energy.TRT = none;
+        if (kIsFeather<decltype(spectral.parts[0].bsdf)>) energy.R = energy.TRT = none;
         std::array<double, kShifts> reflected{};
         for (const auto &part : spectral.parts)
             for (size_t i = 0; i < points.size(); ++i)

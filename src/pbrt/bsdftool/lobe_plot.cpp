@@ -88,7 +88,7 @@ LobePlot ScatterLight(const Material &material, const LightAngles &light,
         const float side = std::copysign(1.f, wo.z);
         view.ownSide = scatterer.Disc(side);
         view.otherSide = scatterer.Disc(-side);
-        if constexpr (requires(const B &b) { b.GapFraction(wo); }) {
+        if constexpr (kIsFeather<B>) {
             view.hasGap = true;
             view.gap = spectral.parts[0].bsdf.GapFraction(wo);
         }

@@ -52,10 +52,8 @@ decltype(auto) WithSpectralBSDF(const Material &material, const std::vector<floa
     return std::visit([&](const auto &m) { return visit(SpectralBSDFOf(m, lambda)); }, material);
 }
 
-/// Whether a BSDF tells its R and TRT apart.
+/// Whether a BSDF tells its R and TRT apart and has gaps.
 template <typename B>
-inline constexpr bool HasParts = requires(const B &b, Vector3f w) {
-    b.Lobes(w, w).TRT;
-};
+inline constexpr bool kIsFeather = std::is_same_v<B, FeatherBarbuleBxDF>;
 
 }  // namespace pbrt::bsdftool

@@ -69,7 +69,7 @@ struct RenderScene {
     /// Geometries below this stand in the scene as they are; the others only in instances.
     uint32_t TopLevelGeometries() const;
     /// True if light passes straight through; false for materials that could not be made, and for
-    /// all where Option "forcediffuse" makes them matt.
+    /// all where Option "forcediffuse" makes them diffuse.
     bool HasNullTransmission(MaterialId id) const;
 
   private:

@@ -49,7 +49,7 @@ class Coat::Boundary {
         });
         return {float(down), float(back / (nAzimuths * kHeights))};
     }
-    /// Share of a matt base's light that comes back to it, of what leaves in this plane.
+    /// Share of a diffuse base's light that comes back to it, of what leaves in this plane.
     double Returned() const {
         return OverCosines(1 - 1 / Sqr(double(eta)), 64, [&](float cosTheta) {
             const Vector3f w = Direction(cosTheta);

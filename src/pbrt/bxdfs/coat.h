@@ -7,9 +7,9 @@
 
 namespace pbrt {
 
-/// A dielectric coat as the matt base under it knows it: how much light gets through, how much of
-/// what the base sends up comes back. A matt base forgets directions, so with these numbers all
-/// orders of reflection between base and coat are a geometric series.
+/// A dielectric coat as the diffuse base under it knows it: how much light gets through, how much
+/// of what the base sends up comes back. A diffuse base forgets directions, so with these numbers
+/// all orders of reflection between base and coat are a geometric series.
 ///
 /// The boundary is smooth or has Trowbridge-Reitz facets that scatter once; the layer absorbs. For
 /// a smooth boundary in closed form but for the integrals over the hemisphere, for rough ones from

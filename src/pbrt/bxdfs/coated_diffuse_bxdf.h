@@ -7,16 +7,16 @@
 
 namespace pbrt {
 
-/// A matt base under a dielectric coat, alike on both sides. What the coat reflects at once is a
+/// A diffuse base under a dielectric coat, alike on both sides. What the coat reflects at once is a
 /// mirror's or Trowbridge-Reitz facets'; all else is, with t(w) = Coat::From(w).down and K what of
 /// the base's light comes back to it,
 ///
 ///     f = t(wo) t(wi) / eta^2 * (rho / pi) / (1 - rho K),
 ///
-/// the series of base and coat reflecting in turn, exact for a matt base. With constant alphas the
-/// whole errs by 1.6e-3 of all light at most. Where textures make the facets longer than wide, t is
-/// that of round ones with the width in w's plane of incidence: errors up to 2e-2 at alphas 0.1 and
-/// 0.5 (test/bxdf/coated_diffuse_test.cpp).
+/// the series of base and coat reflecting in turn, exact for a diffuse base. With constant alphas
+/// the whole errs by 1.6e-3 of all light at most. Where textures make the facets longer than wide,
+/// t is that of round ones with the width in w's plane of incidence: errors up to 2e-2 at alphas
+/// 0.1 and 0.5 (test/bxdf/coated_diffuse_test.cpp).
 class CoatedDiffuseBxDF {
   public:
     static constexpr BxDFTraits kTraits{.regularizes = true};
@@ -32,13 +32,13 @@ class CoatedDiffuseBxDF {
           isSmooth(facets.IsSmooth()) {
         const auto [down, returned] = coat.Mean(meanAlpha);
         const SampledSpectrum series = reflectance / (SampledSpectrum(1) - returned * reflectance);
-        matt = series * (InvPi / Sqr(coat.Eta()));
-        mattAlbedo = Pi * matt.MaxComponentValue() * down;
+        diffuse = series * (InvPi / Sqr(coat.Eta()));
+        diffuseAlbedo = Pi * diffuse.MaxComponentValue() * down;
     }
 
     BxDFFlags Flags() const {
         const BxDFFlags lobe = isSmooth ? BxDFFlags::Specular : BxDFFlags::Glossy;
-        return BxDFFlags::Reflection | lobe | (matt ? BxDFFlags::Diffuse : BxDFFlags::Unset);
+        return BxDFFlags::Reflection | lobe | (diffuse ? BxDFFlags::Diffuse : BxDFFlags::Unset);
     }
     SampledSpectrum f(Vector3f wo, Vector3f wi, TransportMode) const {
         if (!SameHemisphere(wo, wi)) return SampledSpectrum(0);
@@ -66,7 +66,7 @@ class CoatedDiffuseBxDF {
         return across > 0 ? std::sqrt((Sqr(alphaX) * x + Sqr(alphaY) * y) / across) : meanAlpha;
     }
     float ChanceOfLobe(const Coat::Split &o) const {
-        const float both = o.back + o.down * mattAlbedo;
+        const float both = o.back + o.down * diffuseAlbedo;
         return both > 0 ? o.back / both : 1;
     }
     SampledSpectrum Value(const Coat::Split &o, Vector3f wo, Vector3f wi) const;
@@ -76,14 +76,14 @@ class CoatedDiffuseBxDF {
     float alphaX, alphaY, meanAlpha;  ///< as made
     TrowbridgeReitz facets;
     bool isSmooth;
-    SampledSpectrum matt;  ///< f over t(wo) t(wi)
-    float mattAlbedo;      ///< largest share of what reaches the base that leaves again
+    SampledSpectrum diffuse;  ///< f over t(wo) t(wi)
+    float diffuseAlbedo;      ///< largest share of what reaches the base that leaves again
 };
 static_assert(BxDFType<CoatedDiffuseBxDF>);
 
 inline SampledSpectrum CoatedDiffuseBxDF::Value(const Coat::Split &o, Vector3f wo,
                                                 Vector3f wi) const {
-    const SampledSpectrum below = (o.down * SplitFrom(wi).down) * matt;
+    const SampledSpectrum below = (o.down * SplitFrom(wi).down) * diffuse;
     if (isSmooth) return below;
     const Vector3f h = wo + wi;
     const float cosine = std::min(1.f, Dot(wo, h) / Length(h));

@@ -5,7 +5,7 @@
 
 namespace pbrt {
 
-/// Thin and matt, like paper: Lambertian on both sides. Energy is kept where `reflectance` and
+/// Thin and diffuse, like paper: Lambertian on both sides. Energy is kept where `reflectance` and
 /// `transmittance`, each >= 0, add to 1 at most.
 class DiffuseTransmissionBxDF {
   public:

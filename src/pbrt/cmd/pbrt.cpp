@@ -68,7 +68,7 @@ void DefineOptions(CLI::App *app, Arguments *a) {
     cli::AddFlag(app, "--disable-texture-filtering", &a->options.disableTextureFiltering,
                  "point-sampled textures");
     cli::AddFlag(app, "--force-diffuse", &a->options.forceDiffuse,
-                 "every surface matt, reflecting as much as its material does");
+                 "every surface diffuse, reflecting as much as its material does");
     cli::AddText(app, "--mse-reference-image", &a->options.mseReferenceImage,
                  "picture without noise, to tell the error of this one");
     cli::AddText(app, "--mse-reference-out", &a->options.mseReferenceOut,

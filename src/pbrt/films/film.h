@@ -69,7 +69,7 @@ class Film {
     bool WantsSurface() const { return traits.surface; }
     /// Wavelengths of one path; u in [0, 1).
     SampledWavelengths SampleWavelengths(float u) const {
-        if (type.index() == 0) [[likely]]
+        if (std::holds_alternative<RGBFilm>(type)) [[likely]]
             return SampledWavelengths::SampleVisible(u);
         return Dispatch(type, [u](const auto &t) { return t.SampleWavelengths(u); });
     }
@@ -98,7 +98,7 @@ class Film {
             for (int c = 0; c < 3; ++c)
                 rgb[size_t(c)] += double(weight) * response[c];
             sumOfWeights += weight;
-            if (film.type.index() != 0) [[unlikely]]
+            if (!std::holds_alternative<RGBFilm>(film.type)) [[unlikely]]
                 film.AddMore(pixel, L, response, lambda, weight, surface);
         }
         /// Once, after the last.

@@ -120,4 +120,15 @@ void Preprocess(Light &light, const Bounds3f &sceneBounds) {
     });
 }
 
+std::optional<LightLiSample> SampleLi(const Light &light, const LightSampleContext &ctx, Point2f u,
+                                      const SampledWavelengths &lambda) {
+    return Dispatch(light, [&](const auto &l) { return l.SampleLi(ctx, u, lambda); });
+}
+float Power(const Light &light) {
+    return Dispatch(light, [](const auto &l) { return l.Power(); });
+}
+std::optional<LightBounds> Bounds(const Light &light) {
+    return Dispatch(light, [](const auto &l) { return l.Bounds(); });
+}
+
 }  // namespace pbrt

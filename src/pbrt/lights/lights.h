@@ -46,10 +46,8 @@ inline const LightTraits &Traits(const Light &light) {
 }
 
 /// nullopt where nothing can arrive; occlusion is the caller's.
-inline std::optional<LightLiSample> SampleLi(const Light &light, const LightSampleContext &ctx,
-                                             Point2f u, const SampledWavelengths &lambda) {
-    return Dispatch(light, [&](const auto &l) { return l.SampleLi(ctx, u, lambda); });
-}
+std::optional<LightLiSample> SampleLi(const Light &light, const LightSampleContext &ctx, Point2f u,
+                                      const SampledWavelengths &lambda);
 
 /// Density of SampleLi for the direction wi from ctx.p, which meets the area light at p, where its
 /// normal is n; 0 for other lights.
@@ -83,11 +81,7 @@ inline float PDF_Li(const Light &light, Vector3f wi) {
     });
 }
 
-inline float Power(const Light &light) {
-    return Dispatch(light, [](const auto &l) { return l.Power(); });
-}
-inline std::optional<LightBounds> Bounds(const Light &light) {
-    return Dispatch(light, [](const auto &l) { return l.Bounds(); });
-}
+float Power(const Light &light);
+std::optional<LightBounds> Bounds(const Light &light);
 
 }  // namespace pbrt

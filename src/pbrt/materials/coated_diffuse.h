@@ -8,9 +8,9 @@
 
 namespace pbrt {
 
-/// A matt base (`reflectance`, default 0.5) under a dielectric coat: `eta` (a number, or a spectrum
-/// that is the same everywhere, >= 1), `thickness` (its optical depth at normal incidence; a
-/// number), roughness as in Roughness. The coat only absorbs: `albedo` must be 0. `g`, `maxdepth`
+/// A diffuse base (`reflectance`, default 0.5) under a dielectric coat: `eta` (a number, or a
+/// spectrum that is the same everywhere, >= 1), `thickness` (its optical depth at normal incidence;
+/// a number), roughness as in Roughness. The coat only absorbs: `albedo` must be 0. `g`, `maxdepth`
 /// and `nsamples` are read and have no effect, for nothing is left to chance.
 struct CoatedDiffuseMaterial {
     static constexpr std::string_view kName = "coateddiffuse";

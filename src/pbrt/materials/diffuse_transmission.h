@@ -8,9 +8,9 @@
 
 namespace pbrt {
 
-/// Thin and matt, like paper or a leaf: `reflectance` and `transmittance` (albedo textures, default
-/// 0.25 each), both times `scale`. More than 1 together makes light from nothing; pbrt-v4 allows
-/// it.
+/// Thin and diffuse, like paper or a leaf: `reflectance` and `transmittance` (albedo textures,
+/// default 0.25 each), both times `scale`. More than 1 together makes light from nothing; pbrt-v4
+/// allows it.
 struct DiffuseTransmissionMaterial {
     static constexpr std::string_view kName = "diffusetransmission";
     static constexpr MaterialTraits kTraits{.isotropic = true, .warns = true};

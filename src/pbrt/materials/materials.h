@@ -43,7 +43,7 @@ static_assert(MaterialTypes::All([]<typename M>() { return kIsMaterial<M>; }));
 template <MaterialType M>
 BxDFPacketInput<BxDFOf<M>> PacketInputAt(const M &material, const TextureEvalContext &ctx,
                                          SampledWavelengths &lambda) {
-    if constexpr (requires { material.GetPacketInput(ctx, lambda); })
+    if constexpr (detail::kHasOwnPacketInput<BxDFOf<M>>)
         return material.GetPacketInput(ctx, lambda);
     else
         return material.GetBxDF(ctx, lambda);

@@ -19,7 +19,7 @@ constexpr BoolParam kDisableWavelengthJitter{"disablewavelengthjitter", false,
 constexpr BoolParam kDisableTextureFiltering{"disabletexturefiltering", false,
                                              "point-sampled textures"};
 constexpr BoolParam kForceDiffuse{
-    "forcediffuse", false, "every surface is matt and reflects as much as its material does"};
+    "forcediffuse", false, "every surface is diffuse and reflects as much as its material does"};
 constexpr IntParam kSeed{"seed", 0, kLeastInt, kMostInt, "of the samplers' random numbers"};
 constexpr ChoiceParam kRenderCoordSys{"rendercoordsys", kCoordSys[1], kCoordSys,
                                       "the space to render in"};

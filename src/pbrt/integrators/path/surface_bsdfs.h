@@ -5,8 +5,8 @@
 
 namespace pbrt {
 
-/// The BxDFs of sixteen surfaces: their own, or, with Option "forcediffuse", matt ones that reflect
-/// as much (DiffuseOf).
+/// The BxDFs of sixteen surfaces: their own, or, with Option "forcediffuse", diffuse ones that
+/// reflect as much (DiffuseOf).
 template <BxDFType BxDF>
 class SurfacePacketBSDF {
   public:
