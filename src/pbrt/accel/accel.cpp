@@ -77,7 +77,7 @@ std::string DeviceConfiguration(int nThreads, std::string *error) {
     return {};
 }
 
-/// What was freed in small pieces goes back to the system, which it does not by itself.
+/// Returns memory freed in small pieces to the system, which does not happen by itself.
 void ReturnFreeMemory() {
 #ifdef __GLIBC__
     malloc_trim(0);

@@ -13,7 +13,7 @@ Vector3f SecondDerivative(const CurvePoint *c, float u) {
     return 6.f * Lerp(u, from, to);
 }
 
-/// Where a chord of length h in u ends at u. A chord between points of the curve lies inside its
+/// End at u of a chord of length h in u. A chord between points of the curve lies inside its
 /// bend by h^2 / 12 times the second derivative on average; this one is moved out by that.
 CurvePoint ChordEnd(const CurvePoint *c, float u, float h) {
     const CurveAt at(c, u);
@@ -66,7 +66,7 @@ void CurveChords::AddPart(const CurvePoint *c, uint32_t segment, uint32_t part) 
 
 namespace {
 
-/// From a joint to where the ray passes it next.
+/// Vector from a joint to the point where the ray passes it nearest.
 Vector3f FromJoint(const RTCFilterFunctionNArguments *args, unsigned i, Point3f joint) {
     const unsigned n = args->N;
     RTCRayN *const r = args->ray;

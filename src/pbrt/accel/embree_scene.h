@@ -4,7 +4,7 @@
 
 namespace pbrt {
 
-/// What Accel has built, for benchmarks of Embree alone.
+/// The Embree scene that an Accel has built, for benchmarks of Embree alone.
 struct EmbreeSceneOf {
     RTCScene scene;
     explicit EmbreeSceneOf(const Accel &accel) : scene(accel.impl->scene) {}

@@ -22,7 +22,7 @@ bool IsNative(const S &) {
                   "a shape that does not intersect itself needs a NewNative here");
     return kMayBeNative<S>;
 }
-/// As quads; bent patches intersect themselves.
+/// Planar meshes are taken as quads; bent patches intersect themselves.
 inline bool IsNative(const BilinearMesh &mesh) {
     return mesh.planar;
 }

@@ -13,7 +13,7 @@ struct QueryContext {
     const Ray *single;     ///< null: a packet
     const RayPacket *packet;
     const NullTransmission *gaps;  ///< null: surfaces with gaps are opaque
-    /// By id: product of gap fractions; in double, so that its order hardly matters.
+    /// Product of gap fractions by ray id; in double, so that its order hardly matters.
     double *passed;
 
     QueryContext(const Ray &ray, const NullTransmission *gaps, double *passed)
@@ -30,7 +30,7 @@ struct QueryContext {
     }
 };
 
-/// What the callbacks know of a geometry.
+/// A geometry's data for the callbacks.
 struct GeometryRecord {
     const Geometry *geometry;
     uint32_t index;          ///< in RenderScene::geometries
@@ -45,12 +45,12 @@ struct GeometryRecord {
     }
 };
 
-/// Where alpha cuts the surface away at a hit. `ray` is in the geometry's space, `worldRay` as the
-/// query had it; `crossing` counts hits of one ray with one primitive.
+/// True where alpha cuts the surface away at a hit. `ray` is in the geometry's space, `worldRay` as
+/// the query had it; `crossing` counts hits of one ray with one primitive.
 bool IsCutOut(const GeometryRecord &record, const Hit &hit, const Ray &ray, const Ray &worldRay,
               int crossing);
 
-/// Whether a shadow ray ends at the hit; if not, notes what passes.
+/// True where a shadow ray ends at the hit; if not, notes the share that passes.
 bool Blocks(const GeometryRecord &record, const Hit &hit, const Ray &ray, QueryContext &context,
             unsigned id, int crossing);
 

@@ -13,8 +13,8 @@ namespace pbrt {
 /// One shape with an object space in a scene's set of them.
 struct PlacedRecord {
     GeometryRecord common;
-    std::optional<WorldSphere> ball;  ///< where it is one and without alpha
-    /// What a ball that lets no light through does not need.
+    std::optional<WorldSphere> ball;  ///< set for a WorldSphere without alpha
+    /// Null for a `ball` that lets no light through: it is met in rendering space.
     std::unique_ptr<const ObjectFromRender> objectFromRender;
 
     PlacedRecord(const GeometryRecord &record, const Transform &renderFromObject);

@@ -37,14 +37,14 @@ std::optional<WorldSphere> WorldSphere::Of(const Shape &shape) {
 
 namespace {
 
-/// Whether and where a ray meets a ball first in (0, tMax]; t has no meaning elsewhere.
+/// First hit of a ray with a sphere in (0, tMax]; t has no meaning where there is none.
 template <typename T>
 struct SphereHit {
     MaskFor<T> hit;
     T t;
 };
 
-/// For T one double or eight; o: from the ball's center. As CrossRadius in shapes/intersect.cpp,
+/// For T one double or eight; o: from the sphere's center. As CrossRadius in shapes/quadric.h,
 /// but of the two roots only the wanted one is computed.
 template <typename T>
 inline SphereHit<T> Intersect(T radius, Vec3<T> o, Vec3<T> d, T tMax) {
@@ -62,7 +62,7 @@ inline SphereHit<T> Intersect(T radius, Vec3<T> o, Vec3<T> d, T tMax) {
     return {hit, t};
 }
 
-/// Of any packet width.
+/// First hit of one ray of a packet of any width.
 bool MeetsRay(const WorldSphere &ball, RTCRayN *r, unsigned n, unsigned i, double *t) {
     const Vector3d center = ToDouble(ball.center);
     const Vector3d o{RTCRayN_org_x(r, n, i), RTCRayN_org_y(r, n, i), RTCRayN_org_z(r, n, i)};
@@ -97,7 +97,7 @@ SphereHit<DoubleX8> IntersectHalf(const WorldSphere &ball, const RTCRay16 &r, in
     return Intersect<DoubleX8>(ball.radius, o, d, load(r.tfar));
 }
 
-/// A packet's rays and where they meet the ball.
+/// First hits of a packet's rays with the sphere.
 SphereHit<FloatX16> IntersectPacket(const WorldSphere &ball, const RTCRay16 &r, LaneBits lanes) {
     LaneBits hit = 0;
     float t[kPacketSize] = {};
@@ -114,7 +114,7 @@ LaneBits ValidLanes(const int *valid) {
     return BitsOf(LoadX16(valid) != 0);
 }
 
-/// Calls one(lane, t) for each ray that meets the ball, or many(met) for all of a packet.
+/// Calls one(lane, t) for each ray that meets the sphere, or many(met) for all of a packet.
 template <typename One, typename Many>
 void ForEachThatMeets(const WorldSphere &ball, const int *valid, RTCRayN *rays, unsigned n, One one,
                       Many many) {

@@ -16,7 +16,7 @@ struct WorldSphere {
     static std::optional<WorldSphere> Of(const Shape &shape);
 };
 
-/// Embree's callbacks for a ball that is opaque to the query.
+/// Embree's callbacks for a sphere that is opaque to the query.
 void IntersectBall(const WorldSphere &ball, uint32_t localId,
                    const RTCIntersectFunctionNArguments *args);
 void OccludedBall(const WorldSphere &ball, const RTCOccludedFunctionNArguments *args);

@@ -13,7 +13,7 @@ namespace pbrt {
 
 class ParamDict;
 
-/// Where a camera stands and when its shutter is open; the same for all types. Rendering space is
+/// Position of a camera and times of its shutter; the same for all types. Rendering space is
 /// that of all rays and shapes (PBRT_FORMAT 3.1, render-coord-sys): world axes with the camera at
 /// the origin ("cameraworld"), "camera" or "world". Camera space: x to the right, y up, z forward.
 struct CameraPlacement {
@@ -36,18 +36,18 @@ struct CameraPlacement {
     Vector3f Forward() const { return renderFromCamera.Vector({0, 0, 1}); }
 };
 
-/// What a camera is told besides its own parameters.
+/// Arguments of a camera besides its own parameters.
 struct CameraContext {
     CameraPlacement placement;
-    Point2i resolution;  ///< of the full picture, pixels
+    Point2i resolution;  ///< of the full image, pixels
 };
 
-/// How a camera looks at a point, in rendering space.
+/// View of a point from a camera, in rendering space.
 template <typename T>
 struct CameraView {
     Vec3<T> direction;  ///< of the ray that meets the point, unit
     Vec3<T> right;      ///< on the film, at the point; any length, not along `direction`
-    T step;             ///< by so much the rays of neighbouring pixels are apart there
+    T step;             ///< distance between the rays of neighbouring pixels there
 };
 
 /// Members that a camera may have beyond the compulsory ones.
@@ -73,7 +73,7 @@ concept HasCameraPackets = requires(const C c, const Point2fX16 &film, const Flo
 ///   Create(params, context)  reads all parameters but the shutter's; mistakes are reported through
 ///                            params, and the camera is usable all the same
 ///   Placement()              that of the context
-///   GenerateRay(film, lens, time)   `film` in pixels of the full picture, (0, 0) its upper left
+///   GenerateRay(film, lens, time)   `film` in pixels of the full image, (0, 0) its upper left
 ///                            corner; `lens` and `time` in [0, 1). In rendering space, d unit, time
 ///                            by Placement().TimeAt
 ///   HasLens()                false: `lens` is not read, and nobody works it out
@@ -82,7 +82,7 @@ concept HasCameraPackets = requires(const C c, const Point2fX16 &film, const Flo
 ///   camera's
 ///                            axis. p in rendering space
 ///   NDCFromCamera()          from camera space to [0, 1]^2 over the film, y down, x depth; for the
-///                            picture's metadata. Transform() where there is no such matrix
+///                            image's metadata. Transform() where there is no such matrix
 template <typename C>
 concept CameraType = PlugInType<C> && std::copyable<C> &&
     requires(const C c, ParamDict &params, const CameraContext &context, Point2f film, float time,

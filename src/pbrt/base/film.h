@@ -25,7 +25,7 @@ struct VisibleSurface {
 
 /// One path's contribution to a pixel.
 struct FilmSample {
-    RGB rgb;                  ///< what the sensor makes of it (Sensor::Response)
+    RGB rgb;                  ///< the response of the sensor (Sensor::Response)
     SampledSpectrum exposed;  ///< radiance (Sensor::Exposed); set where FilmTraits::spectral
     const SampledWavelengths &lambda;
     float weight;                   ///< of the pixel filter; may be negative
@@ -33,7 +33,7 @@ struct FilmSample {
     RGB albedo;                     ///< the surface's, in the film's RGB
 };
 
-/// What a film type asks for beyond rgb; what is left out costs nothing.
+/// Data that a film type asks for beyond rgb; those left out cost nothing.
 struct FilmTraits {
     bool surface = false;   ///< FilmSample::surface and albedo
     bool spectral = false;  ///< FilmSample::exposed

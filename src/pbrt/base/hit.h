@@ -7,7 +7,7 @@
 
 namespace pbrt {
 
-/// What a ray tracer returns for a ray: compact, no derivatives. u, v are barycentrics of the
+/// Hit that a ray tracer returns for a ray: compact, no derivatives. u, v are barycentrics of the
 /// second and third vertex for triangles; for bilinear patches the patch's (u, v), or, in planar
 /// meshes, the coordinates described at BilinearMesh::planar; for other shapes what their Intersect
 /// gives, 0 where they need none.

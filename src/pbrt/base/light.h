@@ -11,8 +11,8 @@
 
 namespace pbrt {
 
-/// Where light arrives. ns: the shading normal on the side from which the receiver takes light, 0
-/// where it takes light from all sides.
+/// A receiver of light. ns: the shading normal on the side from which it takes light, 0 where it
+/// takes light from all sides.
 struct LightSampleContext {
     Point3f p;
     Normal3f ns;
@@ -53,7 +53,7 @@ struct LightLiSamples {
     }
 };
 
-/// What an infinite light gives along sixteen directions.
+/// Radiance and density of an infinite light along sixteen directions.
 struct LightLePacket {
     std::array<SampledSpectrum, kPacketSize> L;
     FloatX16 pdf;  ///< PDF_Li there
@@ -65,7 +65,7 @@ struct DirectionCone {
     float cosTheta = -1;
 };
 
-/// Where a light (or several) stands, where to it shines and how much, after Conty Estevez and
+/// Place, directions and power of a light (or several), after Conty Estevez and
 /// Kulla 2018, "Importance Sampling of Many Lights with Adaptive Tree Splitting".
 struct LightBounds {
     Bounds3f bounds;
@@ -80,7 +80,7 @@ template <typename L>
 using LightsOf = std::array<const L *, kPacketSize>;
 using WavelengthPacket = std::array<const SampledWavelengths *, kPacketSize>;
 
-/// What a light is. Each type says so by
+/// Properties of a type of light. Each type announces its own by
 ///   static constexpr LightTraits kTraits{.isInfinite = true, ...};
 /// so that a misspelt trait does not compile, and a trait whose member is missing neither. A light
 /// has at most one of the first three.
@@ -109,8 +109,8 @@ struct LightTraits {
 ///
 ///   kName, kExamples
 ///       see PlugInType; of several of one name the first in the list is created. The tests run
-///       every law about lights on each example, on some shapes where it is an area light. A
-///       picture "example.exr", square, stands where they are read.
+///       every law about lights on each example, on some shapes where it is an area light. An
+///       image "example.exr", square, stands where they are read.
 ///   static constexpr LightTraits kTraits
 ///   static Made Create(ParamDict &, const Transform &renderFromLight)
 ///   static std::vector<L> Create(ParamDict &, const Shape &, const FloatTexture &alpha)

@@ -16,7 +16,7 @@ namespace pbrt {
 class ParamDict;
 struct NamedTextures;
 
-/// What a material type promises, and which members it has beyond the compulsory ones. Each must be
+/// Promises of a material type, and its members beyond the compulsory ones. Each must be
 /// announced here, so that a misspelt or forgotten one is an error where the material is listed.
 /// A material that promises nothing is rendered correctly.
 struct MaterialTraits {

@@ -47,7 +47,7 @@ struct NullTransmission {
     ~NullTransmission() = default;
 };
 
-/// What a packet's rays have in common. It decides how the nearest hits are looked for, not what
+/// Likeness of a packet's rays. It decides how the nearest hits are looked for, not what
 /// they are. (Shadow rays gain nothing, not even from one pixel's points to one light.)
 enum class Coherence {
     None,

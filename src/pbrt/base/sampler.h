@@ -15,11 +15,11 @@ namespace pbrt {
 
 class ParamDict;
 
-/// What a sampler is told besides its own parameters.
+/// Arguments of a sampler besides its own parameters.
 struct SamplerContext {
     std::optional<int> spp;  ///< from the command line, > 0; comes before the file's
     int seed = 0;            ///< where the file gives none
-    Point2i fullResolution;  ///< of the whole picture, pixels
+    Point2i fullResolution;  ///< of the whole image, pixels
 };
 
 /// Members that a sampler may have beyond the compulsory ones.

@@ -14,7 +14,7 @@
 
 namespace pbrt {
 
-/// What every shape is made from.
+/// Arguments from which every shape is made.
 struct ShapeArguments {
     const ShapeEntity &entity;
     ParamDict &params;
@@ -50,7 +50,7 @@ struct PrimitiveHit {
 template <typename S>
 using ShapePacket = std::array<const S *, kPacketSize>;
 
-/// What a shape can do beside what all can. Each shape says so by
+/// Abilities that not every shape has. Each shape announces its own by
 ///   static constexpr ShapeTraits kTraits{.canEmit = true, ...};
 /// so that a misspelt trait does not compile, and a trait whose member is missing neither.
 struct ShapeTraits {

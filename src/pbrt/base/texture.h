@@ -29,7 +29,7 @@ inline TextureFootprint<float> Lane(const TextureFootprint<FloatX16> &f, int i) 
     return {Lane(f.dpdx, i), Lane(f.dpdy, i), f.dudx[i], f.dudy[i], f.dvdx[i], f.dvdy[i]};
 }
 
-/// How often values had to be clamped to their ranges, by whose they are; one for each thread.
+/// Counts of values that had to be clamped to their ranges, by owner; one object for each thread.
 class ClampCounts {
   public:
     void Add(const void *whose, int64_t n = 1) {
@@ -52,7 +52,7 @@ class ClampCounts {
     std::vector<std::pair<const void *, int64_t>> counts;  ///< few, most often none
 };
 
-/// Where a texture is looked up. `p` in rendering space.
+/// Point at which a texture is looked up. `p` in rendering space.
 struct TextureEvalContext : TextureFootprint<float> {
     Point3f p;
     Normal3f n;
@@ -112,7 +112,7 @@ class SpectrumTexture {
 /// One spectrum texture in its roles, indexed by SpectrumType. Empty where RGB values above 1
 /// forbid the role of albedo.
 using SpectrumByRole = std::array<std::optional<SpectrumTexture>, 3>;
-/// What a texture type reads its parameters from; in pbrt/textures/texture_builder.h.
+/// Source of a texture type's parameters; in pbrt/textures/texture_builder.h.
 struct TextureBuilder;
 
 /// A texture type makes FloatTextures and SpectrumTextures of the parameters of a directive

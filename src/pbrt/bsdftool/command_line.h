@@ -10,7 +10,7 @@
 
 namespace pbrt::bsdftool {
 
-/// What most commands take, as written.
+/// Options that most commands take, as written.
 struct CommonOptions {
     std::string material, pick, illuminant = "equal-energy";
 };

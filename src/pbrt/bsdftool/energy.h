@@ -7,7 +7,7 @@
 
 namespace pbrt::bsdftool {
 
-/// What becomes of light of one direction, as shares of it per wavelength.
+/// Shares of the light from one direction by where it goes, vectors per wavelength.
 struct Albedo {
     std::vector<double> reflected, transmitted;  ///< scattered to its own side, and to the other
     std::vector<double> R, TRT;                  ///< featherbarbule only: parts of the two above
@@ -16,12 +16,12 @@ struct Albedo {
 
     /// Means over the wavelengths.
     static double Mean(const std::vector<double> &shares);
-    /// What is neither scattered nor passed, on average over the wavelengths. For featherbarbule
-    /// this holds what is hit a second time, which the model leaves out.
+    /// Share neither scattered nor passed, on average over the wavelengths. For featherbarbule it
+    /// includes light that hits the feather a second time, which the model leaves out.
     double Absorbed() const { return 1 - Mean(reflected) - Mean(transmitted) - gap; }
 };
 
-/// By sampling the BSDF, `samples` at least 16 per four wavelengths, the same numbers for all
+/// Albedo by sampling the BSDF, `samples` at least 16 per four wavelengths, same numbers for all
 /// (a rank-1 lattice, eight times with random shifts of a fixed seed). wo on either side.
 Albedo AlbedoFrom(const Material &material, const LocalDirection &wo,
                   const std::vector<float> &lambda, int samples);

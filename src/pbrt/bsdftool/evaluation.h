@@ -17,10 +17,10 @@ struct Evaluation {
     std::vector<double> R, TRT;
 };
 
-/// In float, as the renderer computes; wavelengths (nm), at least one.
+/// Evaluates in float, as the renderer does; wavelengths (nm), at least one.
 Evaluation Evaluate(const Material &material, const DirectionPair &pair,
                     const std::vector<float> &lambda);
-/// In double, with converged quadrature. Only for what HasOracle.
+/// Evaluates in double, with converged quadrature. Only for materials that HasOracle.
 Evaluation EvaluateOracle(const Material &material, const DirectionPair &pair,
                           const std::vector<float> &lambda);
 inline bool HasOracle(const Material &material) {

@@ -36,11 +36,11 @@ struct LobePlot {
 LobePlot ScatterLight(const Material &material, const LightAngles &light,
                       const ScatterogramOptions &options, const Spectrum &illuminant);
 
-/// All pictures in one: a row for each light, its own side left, the other right.
+/// All plots in one image: a row for each light, its own side left, the other right.
 Image Montage(const std::vector<LobePlot> &views);
 /// The factor that makes the brightest pixels, but for one lit pixel of a hundred, 1.
 float AutomaticExposure(const std::vector<LobePlot> &views);
-/// With axes and labels; a PNG file's bytes.
+/// The plots with axes and labels; a PNG file's bytes.
 std::string ScatterogramSheet(const std::vector<LobePlot> &views, float exposure,
                               const std::string &title, const std::string &quantity);
 

@@ -18,7 +18,7 @@ struct MaterialSource {
 std::optional<MaterialSource> ReadMaterial(const std::string &source, const std::string &pick,
                                            Diagnostics &log);
 
-/// Where textures are looked up: at the middle of [0, 1]^2.
+/// Point at which textures are looked up: the middle of [0, 1]^2.
 inline TextureEvalContext MiddleOfTexture() {
     TextureEvalContext ctx;
     ctx.uv = {0.5f, 0.5f};

@@ -9,7 +9,7 @@ namespace pbrt::bsdftool {
 
 /// Turns reflectances at equally spaced wavelengths into colors under an illuminant: CIE XYZ with
 /// Y = 1 for what reflects everything, and linear sRGB from it. Nothing is adapted to the white of
-/// sRGB, so a white surface under equal energy is slightly pink, as in a picture of pbrt's.
+/// sRGB, so a white surface under equal energy is slightly pink, as in an image of pbrt's.
 class Observer {
   public:
     /// At least two wavelengths; sums are as exact as their distance lets them be.

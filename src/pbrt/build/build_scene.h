@@ -8,7 +8,7 @@
 
 namespace pbrt {
 
-/// What the command line overrides of a scene.
+/// Scene settings that the command line overrides.
 struct SceneOverrides {
     FilmOverrides film;
     std::optional<int> spp;

@@ -158,7 +158,7 @@ class ShapeBuilder {
     static bool Moves(const ShapeEntity &entity) {
         return !(entity.worldFromObject[0] == entity.worldFromObject[1]);
     }
-    /// What an object consists of: its resting shapes together, each moving one by itself.
+    /// Part of an object: its resting shapes together, or one moving shape.
     struct ObjectPart {
         uint32_t object;  ///< index into RenderScene::objects
         TransformPair inObject;

@@ -17,7 +17,7 @@ float NullTransmissionAt(const RenderScene &scene, const M &material, bool unifo
     }
 }
 
-/// Of a mix: what is expected of its choice.
+/// Share of light from direction d that passes straight through; of a mix, the expected one.
 float NullTransmissionAt(const RenderScene &scene, MaterialId id, const SurfaceInteraction &sp,
                          Vector3f d) {
     const MixMaterial *const mix = scene.AsMix(id);

@@ -6,7 +6,7 @@
 namespace pbrt {
 namespace {
 
-/// Of a moving instance: linear between the key times, entry by entry, as the ray tracer moves it.
+/// Transform of a moving instance: linear between keys, entry by entry, as the ray tracer has it.
 Transform At(const Instance &instance, float time) {
     const size_t nSteps = instance.NKeys() - 1;
     const float at = time * float(nSteps);

@@ -66,7 +66,7 @@ requires(B::kTraits.hasPacket) struct PacketOf<B> {
 /// packet whose header is not included, the type is incomplete and the program does not compile.
 template <BxDFType B>
 using BxDFPacket = typename detail::PacketOf<B>::Packet;
-/// What a lane of BxDFPacket<B> is made of; B itself unless it has a packet of its own.
+/// Input for one lane of BxDFPacket<B>; B itself unless it has a packet of its own.
 template <BxDFType B>
 using BxDFPacketInput = typename detail::PacketOf<B>::Input;
 

@@ -54,7 +54,7 @@ class Coat {
     Averages MeanOver(const Boundary &boundary, float alpha) const;
     Split Smooth(float cosTheta) const;
     Averages SmoothMean() const;
-    /// Where alpha lies between columns, which are evenly spaced in its root.
+    /// Place of alpha between columns, which are evenly spaced in its root.
     Column ColumnOf(float alpha) const;
     Split InColumn(int column, float cosTheta) const;
 

@@ -30,7 +30,7 @@ class DielectricBxDF {
     }
 
   private:
-    /// How a microfacet takes light from wo to wi.
+    /// Microfacet that takes light from wo to wi.
     struct Facet {
         Vector3f m;   ///< unit normal on wo's side
         float cos_o;  ///< wo . m, > 0
@@ -50,8 +50,8 @@ class DielectricBxDF {
     static float HalfVectorJacobian(const Facet &facet, float etap) {
         return -facet.cos_i / Sqr(facet.cos_i + facet.cos_o / etap);
     }
-    /// Where light crosses the directions know the refracted angle better than Snell's law does
-    /// near the critical one.
+    /// Fresnel's R and T at the facet. Where light crosses, wi gives the refracted angle, more
+    /// exactly than Snell's law near the critical one.
     static DielectricFresnel FresnelAt(const Facet &facet, float etap) {
         const float cos_o = std::min(1.f, facet.cos_o);
         return FrDielectric(cos_o, facet.crosses ? -facet.cos_i : CosTransmitted(cos_o, etap),

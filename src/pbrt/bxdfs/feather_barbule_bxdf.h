@@ -5,7 +5,7 @@
 
 namespace pbrt {
 
-/// What a feather's BxDF is made of at a point.
+/// Input of a feather's BxDF at a point.
 struct FeatherSurface {
     feather::Vane<float> vane;
     float thickness;  ///< of the film, nm

@@ -6,7 +6,7 @@ namespace {
 using V = FloatX16;
 using ModelSpectrum = feather::Barbule<V, NSpectrumSamples>::Spectrum;
 
-/// Where a lane is not active, a direction from which nothing is seen.
+/// Directions for the model; in inactive lanes one from which nothing is seen.
 feather::Direction<V> Local(const Vector3fX16 &w, LaneBits active) {
     return {w.x, w.y, Select(MaskOf(active), w.z, 0)};
 }

@@ -20,8 +20,8 @@ inline float CosTransmitted(float cosTheta_i, float eta) {
     return SafeSqrt(1 - (1 - Sqr(cosTheta_i)) / Sqr(eta));
 }
 
-/// What a boundary between two dielectrics does with unpolarised light. R + T = 1 but for rounding;
-/// T does not cancel where R is near 1.
+/// Shares of unpolarised light that a boundary between two dielectrics reflects and transmits.
+/// R + T = 1 but for rounding; T does not cancel where R is near 1.
 struct DielectricFresnel {
     float R, T;
 };

@@ -6,17 +6,17 @@
 
 namespace pbrt {
 
-// What people say instead of a fibre's absorption, turned into it; per fibre radius.
+// Absorption of a fibre, per fibre radius, from what scenes may give instead of it.
 
-/// Of melanin: concentrations >= 0, each weighted with the absorption of its kind (PBRT_FORMAT 2.8,
-/// hair), as unbounded sRGB.
+/// Absorption of melanin: concentrations >= 0, each weighted with the absorption of its kind
+/// (PBRT_FORMAT 2.8, hair), as unbounded sRGB.
 inline RGB SigmaAFromConcentration(float eumelanin, float pheomelanin) {
     return RGB{0.419f, 0.697f, 1.37f} * eumelanin + RGB{0.187f, 0.4f, 1.05f} * pheomelanin;
 }
 
-/// Of fibres that make a mass of hair of the given colour, components clamped to [1e-6, 1]: 0 would
-/// need infinite absorption, and what is left at 1e-6 is 2e-5 of the light. Chiang et al. 2016,
-/// eq. 9; beta_n as in HairBxDF.
+/// Absorption of fibres that make a mass of hair of the given colour, components clamped to
+/// [1e-6, 1]: 0 would need infinite absorption, and what is left at 1e-6 is 2e-5 of the light.
+/// Chiang et al. 2016, eq. 9; beta_n as in HairBxDF.
 inline SampledSpectrum SigmaAFromReflectance(SampledSpectrum reflectance, float beta_n) {
     const float scale =
         EvaluatePolynomial(beta_n, 5.969f, -0.215f, 2.532f, -10.73f, 5.574f, 0.245f);

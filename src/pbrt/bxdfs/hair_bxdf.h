@@ -52,7 +52,7 @@ class HairBxDF {
   private:
     static constexpr int kLobes = 4;
 
-    /// What scatters at the fibre as seen from wo.
+    /// Scattering lobes of the fibre as seen from wo.
     struct View {
         Inclination tilted;  ///< of wo, by lobe, turned by the scales
         FloatX4 phi;         ///< azimuth at which each lobe leaves, relative to wo; not of the last
@@ -64,13 +64,13 @@ class HairBxDF {
     static float AzimuthalScale(float beta_n);
     static Inclination Tilts(float alpha);
     static Point2f InclinationOf(Vector3f w) { return {w.x, std::sqrt(Sqr(w.y) + Sqr(w.z))}; }
-    /// From wo to wi about the fibre, in [-pi, pi].
+    /// Angle from wo to wi about the fibre, in [-pi, pi].
     static float Azimuth(Vector3f wo, Vector3f wi) {
         return std::atan2(wo.y * wi.z - wo.z * wi.y, wo.y * wi.y + wo.z * wi.z);
     }
     View SeenFrom(Vector3f wo) const;
     void SetAttenuation(View *view, float sin_o, float cos_o, float sinGamma_t) const;
-    /// Of each lobe at the inclination `i` (sine, cosine) and azimuth, 1/sr.
+    /// Density of each lobe at the inclination `i` (sine, cosine) and azimuth, 1/sr.
     FloatX4 Densities(const View &view, Point2f i, float azimuth) const;
     /// f is without the cosine of the surface that stands for the fibre.
     static SampledSpectrum Sum(const View &view, FloatX4 densities, Vector3f wi);

@@ -53,7 +53,7 @@ inline RayPacket GenerateRays(const Camera &camera, const Point2fX16 &film, cons
     });
 }
 
-/// Of one point, or sixteen.
+/// View of one point, or of sixteen.
 template <AnyFloat T>
 CameraView<T> ViewAt(const Camera &camera, Vec3<T> p) {
     return Dispatch(camera, [&]<typename C>(const C &c) {

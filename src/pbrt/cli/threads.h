@@ -5,7 +5,7 @@
 
 namespace pbrt::cli {
 
-/// How many threads a program may use.
+/// Number of threads that a program may use.
 struct Threads {
     int count = 1;  ///< with the calling one
     /// Why they are fewer than wanted, as in "only 3 threads of 8 can be started: Resource

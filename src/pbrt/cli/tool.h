@@ -18,7 +18,7 @@ namespace pbrt::cli {
 
 using Args = std::span<const std::string>;
 
-/// What a command prints and how the process ends.
+/// Output of a command and exit code of the process.
 struct Outcome {
     int exitCode = 0;
     std::string out, err;

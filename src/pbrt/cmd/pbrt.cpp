@@ -135,7 +135,7 @@ struct Times {
     double parse = 0, build = 0;
 };
 
-/// Rendering time and camera go into the picture's metadata, as pbrt writes them.
+/// Rendering time and camera go into the image's metadata, as pbrt writes them.
 void AddMetadata(const RenderScene &scene, const RenderStats &stats, ImageMetadata *metadata) {
     metadata->renderTimeSeconds = float(stats.seconds);
     metadata->samplesPerPixel = int(stats.samplesPerPixel);

@@ -36,8 +36,8 @@ template <class V, int N, class Quadrature = AdaptiveRule>
 class Barbule {
     using T = ScalarOf<V>;
     using Mask = MaskFor<V>;
-    /// How a view's direction is taken: scalars by value, for a reference would keep all of the
-    /// view in memory; vectors by reference, as everywhere (simd/registers.h).
+    /// Type in which a view's direction is taken: scalars by value, for a reference would keep all
+    /// of the view in memory; vectors by reference, as everywhere (simd/registers.h).
     using Kept = std::conditional_t<std::floating_point<V>, Direction<V>, const Direction<V> &>;
 
   public:

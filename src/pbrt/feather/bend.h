@@ -55,7 +55,7 @@ class Bend {
     /// +1 if w is nearest the end at +opening, else -1.
     static V Side(const Direction<V> &w) { return SignOf(w.y) * SignOf(w.z); }
 
-    /// Whether the segment is part of the arc and w sees it; cos a >= 0.
+    /// True where the segment is part of the arc and w sees it; cos a >= 0.
     /// float: the range's end is off by up to 1e-7 rad.
     MaskFor<V> Sees(const Direction<V> &w, const Segment<V> &a) const {
         const V sinNear = Side(w) * a.sin;  // of a'

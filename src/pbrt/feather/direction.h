@@ -19,7 +19,7 @@ template <class V>
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/// Whether w counts as in the plane of the vane, from where nothing is seen.
+/// True where w counts as in the plane of the vane, from where nothing is seen.
 template <class V>
 [[gnu::always_inline]] constexpr MaskFor<V> Grazing(const Direction<V> &w) {
     using T = ScalarOf<V>;

@@ -11,7 +11,7 @@ namespace pbrt::feather {
 
 enum class Unit { None, Nanometre, Radian, Degree };
 
-/// What an error message or the manual writes after a value.
+/// Unit as an error message or the manual writes it after a value.
 constexpr std::string_view UnitName(Unit unit) {
     switch (unit) {
         case Unit::Nanometre:
@@ -79,7 +79,7 @@ struct BarbuleParams {
     Radian<T> opening{T(ParamNamed("opening").def)};
 };
 
-/// What depends on wavelength, for the N wavelengths that are evaluated together.
+/// Values that depend on wavelength, for the N wavelengths that are evaluated together.
 template <class V, int N>
 struct Optics {
     std::array<V, N> lambda;   ///< vacuum wavelength, nm, > 0

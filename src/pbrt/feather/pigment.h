@@ -68,7 +68,7 @@ std::array<T, N> PigmentIntegral(const Row<T> &row, const Bend<T> &bend,
     return sum;
 }
 
-/// How many nodes in a the integral needs: the more the arc is bent (MODEL section 5).
+/// Number of nodes in a that the integral needs: more where the arc is bent more (MODEL section 5).
 template <std::floating_point T>
 constexpr int BendNodes(T opening) {
     return opening <= T(0.3) ? 2 : opening <= T(0.6) ? 3 : opening <= 1 ? 4 : 6;

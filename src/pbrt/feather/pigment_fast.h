@@ -19,7 +19,7 @@
 
 namespace pbrt::feather {
 
-/// How many of a rule's segments are found at once: with both directions at most eight floats.
+/// Number of a rule's segments found at once: with both directions at most eight floats.
 constexpr int SegmentsAtOnce(int segments) {
     return segments <= 2 ? 2 : 4;
 }

@@ -12,7 +12,7 @@ namespace pbrt::feather {
 
 // Structs of several vectors are made in place and never copied, see simd/registers.h.
 
-/// What is seen of some segments: the direction in the axes of the ellipse, and the first and the
+/// Visible parts of some segments: the direction in the axes of the ellipse, and the first and the
 /// last point that it sees, counterclockwise. `Sides` are sixteen numbers, a segment each, or a
 /// vector with the segments as wo sees them in one half and as wi does in the other.
 template <class Sides>
@@ -107,7 +107,7 @@ template <class V, class U>
                                   Before(first, last) & (Dot(g, g) > V(2 * opposite)));
 }
 
-/// Where a bearing counts as at a right angle, and 1 / reach.
+/// Least `along` of a Bearing (less counts as at a right angle), and 1 / reach.
 template <class V>
 struct BearingScale {
     V least, perReach;
@@ -116,7 +116,7 @@ struct BearingScale {
           perReach(RcpApprox(Max(view.reach, V(ScalarOf<V>(1e-18))))) {}
 };
 
-/// Of both halves of Sides: both halves of the result are the same.
+/// Arcs that both halves of Sides see; both halves of the result are the same.
 template <class Sides, std::floating_point T>
 [[gnu::always_inline]] inline CommonArcs<Sides> SeenByBoth(const SegmentViews<Sides> &views,
                                                            T squash) {
@@ -129,7 +129,7 @@ template <class Sides, std::floating_point T>
     const At first = At::Of(g, views.first, scale.least), last = At::Of(g, views.last, scale.least);
     return CommonArcsOf(g, first, first.OtherSide(), last, last.OtherSide(), squash);
 }
-/// Element by element.
+/// The same for two directions in vectors of their own, element by element.
 template <class V>
 [[gnu::always_inline]] inline CommonArcs<V> SeenByBoth(const SegmentViews<V> &o,
                                                        const SegmentViews<V> &i, const V &squash) {
@@ -141,7 +141,7 @@ template <class V>
                         At::Of(g, o.last, scaleO.least), At::Of(g, i.last, scaleI.least), squash);
 }
 
-/// What the nodes of a rule need to know of each segment.
+/// Data of each segment that the nodes of a rule need.
 template <class V>
 class PigmentNodes {
   public:

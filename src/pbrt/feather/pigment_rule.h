@@ -29,7 +29,7 @@ inline constexpr std::array<RulePoint<double>, 4> kFittedPoints{{{-0.96832343, 0
                                                                  {0.21012308, 0.81861817},
                                                                  {0.82849701, 0.40368949}}};
 
-/// Of `Points` in each of `Segments`. Interleaved: they are one rule of Segments * Points,
+/// A point of `Points` in each of `Segments`. Interleaved: they are one rule of Segments * Points,
 /// interleaved to the segments in turn: kFittedPoints where these are as many, else Gauss.
 template <std::floating_point T, int Segments, int Points, bool Interleaved>
 constexpr RulePoint<T> PointOf(int segment, int point) {
@@ -44,7 +44,7 @@ constexpr RulePoint<T> PointOf(int segment, int point) {
     }
 }
 
-/// Which rule integrates TRT of a pair of directions (or each of sixteen): 2 segments with
+/// Rule that integrates TRT of a pair of directions (or each of sixteen): 2 segments with
 /// interleaved points, or 3, 4, 6 or 8 segments; 4, 8 or 16 points in each.
 ///
 /// More segments where the arc is bent or seen along its slope, so that they differ more; most

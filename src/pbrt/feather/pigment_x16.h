@@ -170,7 +170,7 @@ class PigmentX16 {
         return points;
     }();
 
-    /// What is left of the given lanes' pairs, sixteen segments at a time.
+    /// Adds the remaining segments of the given lanes' pairs, sixteen at a time.
     template <int Points>
     void AddRest(uint32_t lanes) {
         T segments[kPacketSize];
@@ -225,7 +225,7 @@ class PigmentX16 {
         }
     }
 
-    /// What one segment, at `node` of the bend and with that weight, adds to each wavelength;
+    /// Contribution of one segment, at `node` of the bend and with that weight, to each wavelength;
     /// anything where the weight is 0. pointAt(j) gives node and weight of point j < Points.
     template <int Points, class FilmAt, class PointAt>
     [[gnu::always_inline]] static void Segment(const Row<V> &row, const Pairs &p,

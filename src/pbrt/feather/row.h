@@ -12,7 +12,7 @@
 
 namespace pbrt::feather {
 
-/// What one in-plane direction w (or each of several) sees of a row: on every unit circle the
+/// Part of a row that one in-plane direction w (or each of several) sees: on every unit circle the
 /// points E with E.u > 0 and q = E.t in [lower, upper] / reach, u being the unit vector along
 /// `image` and t u turned by +90 degrees. All is times `reach`, which saves dividing by it.
 template <class V>
@@ -40,7 +40,7 @@ struct RowView {
         return unit.ScaledPointAt(q * scale);
     }
 
-    /// Whether w sees the point along `e` (any length; `length` is its length).
+    /// True where w sees the point along `e` (any length; `length` is its length).
     MaskFor<V> Sees(const Planar<V> &e, const V &length) const {
         const V q = Cross(image, e);
         return (Dot(image, e) > 0) & ((lower == -reach) | (q >= lower * length)) &
@@ -96,7 +96,7 @@ class Row {
         return {cosTilt * w.n - sinTilt * w.x, sinTilt * w.n + cosTilt * w.x};
     }
 
-    /// What the in-plane direction w (any length; zero sees nothing) sees of the row.
+    /// Part of the row that the in-plane direction w (any length; zero sees nothing) sees.
     ///
     /// With D = v.t and z = v.u for the step v from circle to circle, |D| < 2 and s = sign(D):
     /// neighbours cross in a visible point when 2|D| > |v|^2 (this is |z| < G of MODEL 4.2,

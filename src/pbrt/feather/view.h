@@ -8,7 +8,7 @@
 
 namespace pbrt::feather {
 
-/// What scatters light at a vertex, seen from one direction; made by Barbule::SeenFrom.
+/// The feather at a vertex, seen from one direction; made by Barbule::SeenFrom.
 /// Sampler, pdf and f read it, so that they cannot drift apart.
 template <class V>
 struct View {

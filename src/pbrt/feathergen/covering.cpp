@@ -73,7 +73,7 @@ double HeightOver(std::span<const SurfaceSample *const> surface, Vec3d p) {
     return height;
 }
 
-/// By how much and how far from its root the feather must rise.
+/// Height by which the feather must rise, and how far from its root.
 struct Deficit {
     double height = 0, distance = 1;
     void Take(double missing, double at) {

@@ -9,7 +9,7 @@
 
 namespace pbrt::feathergen {
 
-/// How one feather of a covering stands.
+/// Place, size and axes of one feather of a covering.
 struct Placed {
     int kind;  ///< index into the sheets
     double scale;

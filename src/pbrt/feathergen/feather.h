@@ -11,7 +11,7 @@ namespace pbrt::feathergen {
 /// The side of a barb's ramus, looking from its root to its tip with the outer face up.
 enum class Bank { Left, Right };
 
-/// Of the material at one place.
+/// Parameters of the material at one place.
 struct VaneValues {
     double thickness, spacing, tilt;
 };

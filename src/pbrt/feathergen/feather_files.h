@@ -9,7 +9,7 @@ namespace pbrt::feathergen {
 
 enum class TextureFiles { Atlas, Ptex };
 
-/// Where a feather's files go and what their names begin with.
+/// Folder of a feather's files, and the beginning of their names.
 struct FeatherNames {
     std::string folder;  ///< as the scene names it; "" or with a slash at its end
     std::string prefix;  ///< of file names, and of the textures' names in the scene
@@ -26,7 +26,7 @@ std::string TextureDirectives(const FeatherNames &names);
 /// Its materials and shapes, in the current transform; changes the current material.
 std::string ShapeDirectives(const Parameters &parameters, const FeatherNames &names);
 
-/// What a file set's writer needs for plain text.
+/// Writer of a file set for plain text.
 FileSet::Writer TextWriter(std::string text);
 
 }  // namespace pbrt::feathergen

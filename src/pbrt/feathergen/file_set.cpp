@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What is there only since now, and goes again unless it is kept.
+/// New files and folders, which are removed again unless they are kept.
 class Created {
   public:
     Created() = default;

@@ -13,7 +13,7 @@ Vec3d ToDouble(Vector3f v) {
     return {v.x, v.y, v.z};
 }
 
-/// Of the built-in neck, t from head to breast.
+/// Point of the built-in neck, t from head to breast.
 Vec3d NeckPoint(double t, double phi) {
     // Nowhere hollow along the flow: stiff feathers would stand off.
     const double radius = 13 + 14 * std::sin(0.5 * std::numbers::pi * t);

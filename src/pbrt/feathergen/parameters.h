@@ -6,7 +6,7 @@
 
 namespace pbrt::feathergen {
 
-/// What a feather grows from. Lengths in millimetres, angles in radians; meaning, range and default
+/// Parameters of a feather. Lengths in millimetres, angles in radians; meaning, range and default
 /// of each stand in ParameterTable(), which also sets the initial values.
 struct Parameters {
     double rachisLength, rachisBend, rachisSweep, rachisRadius, rachisTipRadius;
@@ -25,7 +25,7 @@ struct Parameters {
     double neckGreen, neckPurple;
 
     Parameters();
-    /// Of one feather.
+    /// Quads in the vane of one feather.
     double VaneQuads() const { return 4 * barbCount * quadsAlong * quadsAcross; }
     bool operator==(const Parameters &) const = default;
 };

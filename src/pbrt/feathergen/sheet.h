@@ -16,7 +16,7 @@ class Sheet {
 
     /// Points of rachis and rami above the first barb, the feather's own millimetres.
     const std::vector<Vec3d> &Points() const { return points; }
-    /// Those on the rachis.
+    /// Points on the rachis.
     const std::vector<Vec3d> &Spine() const { return spine; }
     /// Height of the vane's upper side at (x, y), where there is vane; too high by at most the
     /// bend over a cell.

@@ -6,7 +6,7 @@
 
 namespace pbrt::feathergen {
 
-/// How a feather's vane is cut into quads and how these are numbered: every barb has two banks, a
+/// Division of a feather's vane into quads, and their numbers: every barb has two banks, a
 /// bank nAcross rows of nAlong quads. Row 0 lies at v = 0 of a left bank, at v = -1 of a right one,
 /// so that in both u runs to the barb's tip, v to its left and the outer face is theirs.
 struct VaneGrid {

@@ -5,7 +5,7 @@
 
 namespace pbrt::feathergen {
 
-/// Atlas: uv of one picture for the whole feather, vertices shared. Faces: (0,0) to (1,1) in every
+/// Atlas: uv of one image for the whole feather, vertices shared. Faces: (0,0) to (1,1) in every
 /// quad, which has its own four vertices and its number in Mesh::faces.
 enum class VaneUV { Atlas, Faces };
 

@@ -10,7 +10,7 @@ namespace pbrt {
 /// bits.
 ///   |x| <= 2^62, larger counts as 2^62; the sum of up to 2^64 / max |x| numbers is right
 /// Error: each number is rounded towards 0 to a multiple of 2^-63, nothing else is rounded. So the
-/// sum of values around 1e-12, a picture that is black to every format but 32-bit floats, has 7
+/// sum of values around 1e-12, an image that is black to every format but 32-bit floats, has 7
 /// digits.
 class ExactSum {
   public:

@@ -35,7 +35,7 @@ struct PixelBounds {
     bool operator==(const PixelBounds &) const = default;
 };
 
-/// What the command line overrides of the film.
+/// Film settings that the command line overrides.
 struct FilmOverrides {
     std::string outfile;
     std::optional<std::array<float, 4>> cropWindow;
@@ -43,7 +43,7 @@ struct FilmOverrides {
     bool quick = false;  ///< a quarter of the resolution
 };
 
-/// What is recorded, of which pixels, and how: immutable while rendering. Samples are summed up in
+/// Settings of the image: values, pixels, file. Immutable while rendering. Samples are summed up in
 /// Pixel objects that the caller owns, and developed into an image.
 class Film {
   public:
@@ -65,7 +65,7 @@ class Film {
     const RGBColorSpace &ColorSpace() const { return *colorSpace; }
     ExrPixels Format() const { return format; }
 
-    /// Whether AddSample makes use of a VisibleSurface.
+    /// True where Samples::Add makes use of a VisibleSurface.
     bool WantsSurface() const { return traits.surface; }
     /// Wavelengths of one path; u in [0, 1).
     SampledWavelengths SampleWavelengths(float u) const {

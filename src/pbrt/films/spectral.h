@@ -14,7 +14,7 @@ class SpectralFilm {
   public:
     static constexpr std::string_view kName = "spectral";
     static constexpr FilmTraits kTraits{.spectral = true, .exrOnly = true};
-    /// By bucket.
+    /// Sums by bucket.
     struct Sums {
         std::vector<ExactSum> values, weights;
     };

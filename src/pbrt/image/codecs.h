@@ -21,10 +21,10 @@ OrError<std::string> EncodeExr(const Image &image, ExrPixels pixels);
 OrError<std::string> EncodePng(const Image &image);
 OrError<std::string> EncodePfm(const Image &image);
 
-/// Request before memory is taken for a picture: nullopt where `bytesInFile` may hold width x
+/// Request before memory is taken for an image: nullopt where `bytesInFile` may hold width x
 /// height pixels of `channels` values, `bitsPerPixel` before compression, by a format that
 /// compresses at most `maxRatio` times, and where there is memory for it as floats and as bytes of
-/// that many bits; else the reason. Pictures of more than 2^31 values are refused.
+/// that many bits; else the reason. Images of more than 2^31 values are refused.
 std::optional<std::string> Implausible(double width, double height, double channels,
                                        double bitsPerPixel, double maxRatio, size_t bytesInFile);
 

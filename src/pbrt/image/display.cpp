@@ -31,7 +31,7 @@ int AlphaOf(const Image &image) {
     return found;
 }
 
-/// No values where the picture has none that can be told from the rest.
+/// No values where the image has none that can be told from the rest.
 Picked PickChannels(const Image &image) {
     const int r = image.ChannelIndex("R"), g = image.ChannelIndex("G"), b = image.ChannelIndex("B");
     if (r >= 0 && g >= 0 && b >= 0) return {{r, g, b}, image.ChannelIndex("A")};

@@ -127,7 +127,7 @@ OrError<Image> DecodeExr(std::string_view bytes) {
     const Imath::Box2i window = header.dataWindow();
     const double width = double(window.max.x) - window.min.x + 1;
     const double height = double(window.max.y) - window.min.y + 1;
-    // Beyond deflate's 1032:1, for the wavelet and block coders on flat pictures.
+    // Beyond deflate's 1032:1, for the wavelet and block coders on flat images.
     constexpr double kMaxRatio = 4096;
     if (auto reason = Implausible(width, height, double(channels->names.size()),
                                   channels->bitsPerPixel, kMaxRatio, bytes.size()))

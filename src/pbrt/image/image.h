@@ -13,10 +13,10 @@
 
 namespace pbrt {
 
-/// What travels with a picture. Empty optionals are not written.
+/// Metadata of an image. Empty optionals are not written.
 struct ImageMetadata {
-    /// Data window in full-picture pixels, [x0, x1) x [y0, y1), and the full size. ReadImage sets
-    /// both; WriteImage reads "all 0" as the whole picture.
+    /// Data window in full-image pixels, [x0, x1) x [y0, y1), and the full size. ReadImage sets
+    /// both; WriteImage reads "all 0" as the whole image.
     std::array<int, 4> pixelBounds{};  ///< x0 x1 y0 y1
     Point2i fullResolution{};
     std::optional<std::array<std::array<float, 2>, 4>> chromaticities;  ///< xy: R G B white
@@ -26,10 +26,10 @@ struct ImageMetadata {
     /// Row-major as pbrt writes them.
     std::optional<std::array<std::array<float, 4>, 4>> cameraFromWorld, ndcFromWorld;
     std::map<std::string, std::string> strings;
-    /// How a file that was read holds its values: "half", "float", "uint", "8-bit", "16-bit" or
-    /// "rgbe"; empty for pictures made in memory. Not written.
+    /// Number format of the file that was read: "half", "float", "uint", "8-bit", "16-bit" or
+    /// "rgbe"; empty for images made in memory. Not written.
     std::string storedAs;
-    /// What of a file was not read, as the rest of a sentence; empty where all was. Not written.
+    /// Parts of a file that were not read, as the rest of a sentence; else empty. Not written.
     std::string unread;
 };
 
@@ -60,7 +60,7 @@ class Image {
     std::vector<float> pixels;
 };
 
-/// How stored values become linear ones.
+/// Relation between stored and linear values.
 struct ColorEncoding {
     enum class Kind { Linear, sRGB, Gamma } kind = Kind::Linear;
     float gamma = 1;
@@ -72,7 +72,7 @@ struct ColorEncoding {
 /// decoded by `encoding` (default sRGB, alpha always linear); the others hold linear values.
 /// Channels: R G B, then A, or Y, as PNG, JPEG, PFM and HDR have them; those of EXR sorted by
 /// layer, in a layer R G B A or X Y Z first, the rest by name. Of an EXR file of several parts the
-/// first is read, and metadata.unread says so. A picture that would need more memory than there is,
+/// first is read, and metadata.unread says so. An image that would need more memory than there is,
 /// is refused before any is taken.
 OrError<Image> ReadImage(const std::string &fileName,
                          std::optional<ColorEncoding> encoding = std::nullopt,
@@ -86,7 +86,7 @@ enum class ExrPixels { Half, Float };
 /// primaries where chromaticities are given; PNG clamps to [0, 1] and writes NaN as 0.
 std::optional<std::string> WriteImage(const Image &image, const std::string &fileName,
                                       ExrPixels pixels = ExrPixels::Half);
-/// WriteImage; where it fails, the picture is kept as an EXR file in a new folder among those for
+/// WriteImage; where it fails, the image is kept as an EXR file in a new folder among those for
 /// temporary files. The reason says where it is, too.
 std::optional<std::string> WriteImageSomewhere(const Image &image, const std::string &fileName,
                                                ExrPixels pixels);

@@ -71,7 +71,7 @@ class JpegReader {
             OnError(info);
     }
 
-    /// A progressive file passes over the picture scan by scan: few bytes can ask for thousands.
+    /// A progressive file passes over the image scan by scan: few bytes can ask for thousands.
     static void OnProgress(j_common_ptr info) {
         constexpr int kMostScans = 500;
         if (reinterpret_cast<j_decompress_ptr>(info)->input_scan_number <= kMostScans) return;

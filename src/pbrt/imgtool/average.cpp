@@ -10,7 +10,7 @@ namespace {
 /// Mean and variance in one pass (Welford 1962).
 class Accumulator {
   public:
-    /// The reason where the picture cannot be added. Infinite values count as 0, `infinite` of
+    /// The reason where the image cannot be added. Infinite values count as 0, `infinite` of
     /// them.
     std::optional<std::string> Add(const Image &image, int *infinite) {
         if (count == 0) {
@@ -48,7 +48,7 @@ class Accumulator {
         image.metadata.mse.reset();
         return image;
     }
-    /// Of the mean, not of one picture.
+    /// Variance of the mean, not of one image.
     Image VarianceOfMean() const {
         Image image = Mean();
         for (size_t i = 0; i < mean.size(); ++i)
@@ -60,7 +60,7 @@ class Accumulator {
     Image first;
     int count = 0;
     std::vector<double> mean, squares;
-    std::optional<int> samples = 0;  ///< empty: some picture does not say
+    std::optional<int> samples = 0;  ///< empty: some image does not say
 };
 
 struct Options {

@@ -5,7 +5,7 @@
 namespace pbrt::imgtool {
 
 void AddCrop(CLI::App *app, std::vector<int> *crop) {
-    constexpr int kFar = 1 << 24;  // farther than any picture reaches
+    constexpr int kFar = 1 << 24;  // farther than any image reaches
     cli::AddNumbers(app, "--crop", crop, "x0,x1,y0,y1", {.lo = -kFar, .hi = kFar},
                     "use these pixels only; a negative x1 or y1 is an extent");
 }

@@ -6,7 +6,7 @@
 #include "pbrt/image/image.h"
 #include "pbrt/imgtool/commands.h"
 
-// Options that several commands share, and the picture they write.
+// Options that several commands share, and the image they write.
 
 namespace pbrt::imgtool {
 

@@ -41,7 +41,7 @@ void DefineOptions(CLI::App *app, Options *o) {
     AddCrop(app, &o->crop);
 }
 
-/// Where none are named: R, G and B, if both have them.
+/// Chooses R, G and B where none are named, if both images have them.
 void ChooseChannels(const Image &a, const Image &b, std::vector<std::string> *channels) {
     const std::vector<std::string> rgb{"R", "G", "B"};
     for (const std::string &name : rgb)

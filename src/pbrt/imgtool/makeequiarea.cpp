@@ -8,7 +8,7 @@
 namespace pbrt::imgtool {
 namespace {
 
-/// Value of a latitude-longitude picture towards d (z up, row 0 at +z, column 0 at +x, turning to
+/// Value of a latitude-longitude image towards d (z up, row 0 at +z, column 0 at +x, turning to
 /// +y), bilinear between pixel centres.
 void LookUp(const Image &latLong, Vector3f d, double weight, double *sum) {
     const auto [width, height] = latLong.Resolution();

@@ -9,7 +9,7 @@
 
 namespace pbrt::imgtool {
 
-/// How far a value is from its reference, before the mean over pixels and channels is taken.
+/// Error of a value against its reference, before the mean over pixels and channels is taken.
 struct Metric {
     std::string_view name;
     double (*error)(double value, double reference);
@@ -23,13 +23,13 @@ inline constexpr std::array kMetrics{
            [](double v, double r) { return (v - r) * (v - r) / ((r + 0.01) * (r + 0.01)); }},
 };
 
-/// By name, case ignored; nullptr where unknown.
+/// Metric of that name, case ignored; nullptr where unknown.
 const Metric *MetricNamed(std::string_view name);
 /// `unknown metric "X"; ...` with what is allowed.
 std::string UnknownMetric(std::string_view name);
 
 /// Mean over pixels and channels, infinite where a value is not finite. `picture`, if given, gets
-/// the error of each value. The pictures must match.
+/// the error of each value. The images must match.
 double MeanError(const Metric &metric, const Image &image, const Image &reference,
                  Image *picture = nullptr);
 

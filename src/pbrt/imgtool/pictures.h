@@ -6,11 +6,11 @@
 #include "pbrt/image/image.h"
 #include "pbrt/util/result.h"
 
-// Operations on whole pictures that several commands share.
+// Operations on whole images that several commands share.
 
 namespace pbrt::imgtool {
 
-/// The named channels in this order. The error lists those that the picture has.
+/// The named channels in this order. The error lists those that the image has.
 OrError<Image> SelectChannels(const Image &image, const std::vector<std::string> &names);
 
 /// Pixels [x0, x1) x [y0, y1) of the stored ones; {x0, x1, y0, y1} as `--crop` gives them, a
@@ -24,7 +24,7 @@ OrError<Image> Read(const std::string &fileName, std::string *remarks);
 OrError<Image> ReadPart(const std::string &fileName, const std::vector<std::string> &channels,
                         const std::vector<int> &crop, std::string *remarks);
 
-/// Why two pictures cannot be compared pixel by pixel: sizes, channels or color spaces differ.
+/// Why two images cannot be compared pixel by pixel: sizes, channels or color spaces differ.
 std::optional<std::string> Mismatch(const Image &a, const Image &b);
 
 /// Files an argument means: itself where it exists, else all whose names begin with it, sorted.

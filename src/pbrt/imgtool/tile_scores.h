@@ -21,7 +21,7 @@ double SidakBound(int n, double significance);
 
 /// `variance` is that of each value of `reference`; the variance of `image` is `ratio` times as
 /// much (the ratio of the numbers of samples). Rounding to the stored format is added, so that
-/// pixels without noise may differ by it. The three pictures match; tiles at the right and lower
+/// pixels without noise may differ by it. The three images match; tiles at the right and lower
 /// edges may be smaller than `tileSize`.
 TileScores CompareTiles(const Image &image, const Image &reference, const Image &variance,
                         double ratio, int tileSize, double significance);

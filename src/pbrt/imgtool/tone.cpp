@@ -17,7 +17,7 @@ void ScalePixels(Image *image, F factor) {
     }
 }
 
-/// The picture whose pixel p is `image`'s source(p).
+/// The image whose pixel p is `image`'s source(p).
 template <typename F>
 Image Rearranged(const Image &image, Point2i resolution, F source) {
     Image result(resolution, image.ChannelNames());

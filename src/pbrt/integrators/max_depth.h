@@ -4,7 +4,7 @@
 
 namespace pbrt {
 
-/// What integrators that follow paths have in common.
+/// Parameter that integrators that follow paths share.
 inline constexpr IntParam kMaxDepth{"maxdepth", 5, 0, 1 << 20,
                                     "scattering events of the longest path"};
 

@@ -20,7 +20,7 @@ struct DiffuseAreaLight {
     static constexpr std::array<std::string_view, 4> kExamples{
         "", R"("bool twosided" true "rgb L" [ 3 2 1 ])", R"("float scale" 3)",
         R"("float power" 9)"};
-    /// What the primitives of one shape share.
+    /// Data that the primitives of one shape share.
     struct Surface {
         Spectrum radiance;
         float luminance;

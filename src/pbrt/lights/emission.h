@@ -13,7 +13,7 @@ struct Emission {
     float luminance = 0;  ///< its CIE-Y integral
 };
 
-/// What lights have in common. `power` and `illuminance`: not above 0, as scale alone says.
+/// Parameters that lights share. `power` and `illuminance`: not above 0, as scale alone says.
 inline constexpr SpectrumParam kLightIntensity{
     "I", SpectrumType::Illuminant, "the color space's white", "spectrum of the intensity"};
 inline constexpr SpectrumParam kLightRadiance{

@@ -62,7 +62,7 @@ struct Halves {
     }
 };
 
-/// Why the picture cannot light a scene; empty where it can.
+/// Why the image cannot light a scene; empty where it can.
 std::string Unfit(const Image &image) {
     const Point2i res = image.Resolution();
     if (res.x != res.y)

@@ -12,7 +12,7 @@
 
 namespace pbrt {
 
-/// Radiance from infinity by a square equal-area octahedral picture, constant within each texel as
+/// Radiance from infinity by a square equal-area octahedral image, constant within each texel as
 /// in pbrt-v4.
 ///
 /// Directions are drawn from the texels' luminance less its mean, cut at 0 (Karlik et al. 2019,
@@ -30,11 +30,11 @@ struct ImageInfiniteLight {
     /// `filename` must be given.
     static std::optional<ImageInfiniteLight> Create(ParamDict &params,
                                                     const Transform &renderFromLight);
-    /// `scale` multiplies radiance. The picture has channels R, G, B, as many rows as columns,
+    /// `scale` multiplies radiance. The image has channels R, G, B, as many rows as columns,
     /// finite values (below 0 counts as 0).
     static ImageInfiniteLight FromImage(const Image &image, const RGBColorSpace &colorSpace,
                                         float scale, const Transform &renderFromLight);
-    /// The most memory that FromImage takes, beside the picture.
+    /// The most memory that FromImage takes, beside the image.
     static uint64_t BytesToCreate(const Image &image);
     /// CIE Y that reaches an upward-facing (+z in light space) patch at scale 1.
     static float Illuminance(const Image &image, const RGBColorSpace &colorSpace);
@@ -64,7 +64,7 @@ struct ImageInfiniteLight {
         }
         return done;
     }
-    /// What the picture has in a direction. T: float or FloatX16.
+    /// Place in the image and density of a direction. T: float or FloatX16.
     template <typename T>
     struct Place {
         Vec2<T> p;  ///< in the square
@@ -109,7 +109,7 @@ struct ImageInfiniteLight {
         float invDet;  ///< of renderFromLight, absolute
         int resolution;
         std::vector<Texel> texels;  ///< rows from v = 0
-        Spectrum illuminant;        ///< of the picture's colours, CIE-Y integral 1
+        Spectrum illuminant;        ///< of the image's colours, CIE-Y integral 1
         PiecewiseConstant2D directions;
         float meanLuminance;
     };

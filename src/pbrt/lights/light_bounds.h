@@ -10,7 +10,7 @@ DirectionCone Union(const DirectionCone &a, const DirectionCone &b);
 /// Bounds of both; empty ones (power 0) take no part.
 LightBounds Union(const LightBounds &a, const LightBounds &b);
 
-/// What importance is made of, in the form that light trees keep. T is float, or FloatX16 for
+/// Data that Importance reads, in the form that light trees keep. T is float, or FloatX16 for
 /// sixteen clusters.
 template <AnyFloat T>
 struct ClusterOf {
@@ -23,11 +23,11 @@ struct ClusterOf {
 };
 ClusterOf<float> Cluster(const LightBounds &bounds);
 
-/// Where light arrives, as importance reads it.
+/// Point at which light arrives, in the form that Importance reads.
 struct Receiver {
     Receiver() = default;
     Receiver(Point3f p, Normal3f n) : p(p), n(n), least(n == Normal3f{} ? 1 : kMargin) {}
-    /// Of cosines: rounding must not turn grazing light off.
+    /// Margin of cosines: rounding must not turn grazing light off.
     static constexpr float kMargin = 1e-4f;
     Point3f p;
     Normal3f n;       ///< 0: takes light from all sides

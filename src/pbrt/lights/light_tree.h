@@ -55,19 +55,19 @@ class LightTree {
         FloatX16 w, upTo;  ///< the child's, and with those of all before
         float Sum() const { return upTo[kPacketSize - 1]; }
     };
-    /// On the way to a light.
+    /// State of a walk down the tree to a light.
     struct Walk {
         Receiver to;
         float u;         ///< what is left of the random number
         float pmf = 1;   ///< of coming here
         int32_t at = 0;  ///< node, or ~light
     };
-    /// Of the nodes where the walks of the given lanes are. Not inline, so that Sample and PMF run
-    /// the same instructions and agree to the last bit.
+    /// Weights of the children where the walks of the given lanes are. Not inline, so that Sample
+    /// and PMF run the same instructions and agree to the last bit.
     void ChildWeights(const Walk *walks, LaneBits lanes, Weights *weights) const;
-    /// To a child; false where no light can reach the receiver.
+    /// Moves the walk to a child; false where no light can reach the receiver.
     bool Choose(const Weights &weights, Walk *walk) const;
-    /// Each to a child; the lanes where a light may reach the receiver.
+    /// Moves each walk to a child; returns the lanes where a light may reach the receiver.
     LaneBits Descend(Walk *walks, LaneBits lanes) const {
         std::array<Weights, kPacketSize> weights;
         ChildWeights(walks, lanes, weights.data());

@@ -44,7 +44,7 @@ std::optional<Light> AsLight(const std::optional<Made> &made) {
     return made ? AsLight(*made) : std::nullopt;
 }
 
-/// Of the first type of that name; nullopt after an error.
+/// Light of the first type of that name; nullopt after an error.
 std::optional<Light> CreateNamed(std::string_view type, ParamDict &params,
                                  const Transform &renderFromLight) {
     std::optional<Light> light;

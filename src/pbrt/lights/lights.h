@@ -32,7 +32,7 @@ std::optional<Light> CreateLight(std::string_view type, ParamDict &params,
 std::vector<Light> CreateAreaLights(std::string_view type, ParamDict &params, const Shape &shape,
                                     const FloatTexture &alpha = 1.f);
 
-/// What a scene may name, each once.
+/// Names of the types that a scene may use, each once.
 std::vector<std::string_view> LightNames();
 std::vector<std::string_view> AreaLightNames();
 

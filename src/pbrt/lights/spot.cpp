@@ -25,7 +25,7 @@ float RoundSolidAngle(float cosStart, float cosEnd) {
     return 2 * Pi * (1 - (cosStart + cosEnd) / 2);
 }
 
-/// That of the light's cone in rendering space. One that a transform stretches is summed up over
+/// Solid angle of the light's cone in rendering space; where a transform stretches it, a sum over
 /// 4096 even directions: some ten percent off where it is ten degrees wide, less for wider ones.
 float SolidAngle(const SpotLight &light) {
     const SpotLight::Beam &beam = *light.beam;

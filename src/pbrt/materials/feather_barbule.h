@@ -36,7 +36,7 @@ class FeatherBarbuleMaterial {
     }
     FeatherSurface GetPacketInput(const TextureEvalContext &ctx,
                                   const SampledWavelengths &lambda) const;
-    /// Whether `rotation` is not 0 throughout.
+    /// True unless `rotation` is 0 everywhere.
     bool TurnsFrame() const {
         return !values[Rotation].IsConstant() || values[Rotation].Constant() != 0;
     }

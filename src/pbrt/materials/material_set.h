@@ -11,7 +11,7 @@ namespace pbrt {
 
 class Material;  // one of the types listed in materials.h
 
-/// What there is to know of a material without its type.
+/// Properties of a material that are known without its type.
 struct MaterialFacts {
     uint8_t type;           ///< place in MaterialTypes
     bool isUniform;         ///< the same at every point; see MaterialTraits::canBeUniform
@@ -35,7 +35,7 @@ class MaterialSet {
     const Material *Data() const { return materials.data(); }
     /// See MaterialTraits::laidByUV; empty where nothing is.
     std::string_view LaidByUV(size_t i) const;
-    /// What each material noticed while rendering, one sentence for each that did.
+    /// Warnings of the materials after rendering, one sentence for each that has any.
     std::vector<std::string> Warnings(const ClampCounts &counts) const;
 
   private:

@@ -39,7 +39,7 @@ inline constexpr bool kIsMaterial =
     BxDFPacketType<BxDFPacket<BxDFOf<M>>, BxDFPacketInput<BxDFOf<M>>>;
 static_assert(MaterialTypes::All([]<typename M>() { return kIsMaterial<M>; }));
 
-/// What a lane of BxDFPacket is made of: the BxDF, or what stands for it.
+/// Input for one lane of a BxDFPacket: the BxDF, or the data that stand for it.
 template <MaterialType M>
 BxDFPacketInput<BxDFOf<M>> PacketInputAt(const M &material, const TextureEvalContext &ctx,
                                          SampledWavelengths &lambda) {

@@ -25,8 +25,8 @@ struct MixMaterial {
     /// `named`: materials that it can be made of.
     static MixMaterial Create(ParamDict &params, const NamedTextures &textures,
                               const NamedMaterials &named);
-    /// What a ray of direction `d` meets: by chance, but for the same point and direction always
-    /// the same. `index` tells the scene's mixes apart.
+    /// Material that a ray of direction `d` meets: chosen by chance, but for the same point and
+    /// direction always the same. `index` tells the scene's mixes apart.
     MaterialId Choose(const TextureEvalContext &ctx, Vector3f d, MaterialId index) const {
         const float share = amount.Evaluate(ctx);
         if (share <= 0) return materials[0];

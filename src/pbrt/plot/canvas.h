@@ -37,7 +37,7 @@ class Canvas {
     void Text(Place at, const std::string &text, double size, Align align = Align::Left,
               Ink ink = kBlack, int quarterTurns = 0);
     double TextWidth(const std::string &text, double size);
-    /// A picture of linear R G B times `exposure`, one pixel to one, cut to its inscribed circle.
+    /// An image of linear R G B times `exposure`, one pixel to one, cut to its inscribed circle.
     void Disc(Place corner, const Image &image, float exposure);
 
     /// The sheet as a PNG file's bytes.

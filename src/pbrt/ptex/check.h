@@ -6,7 +6,7 @@
 
 namespace pbrt {
 
-/// How the content contradicts itself or the limits of the format; empty where all is well.
+/// Why the content contradicts itself or the limits of the format; empty where all is well.
 std::string WhatIsWrong(const PtexContent &content);
 
 }  // namespace pbrt

@@ -23,7 +23,7 @@ struct PtexFace {
     size_t NTexels() const { return size_t(1) << (log2U + log2V); }
 };
 
-/// What a Ptex file says, without reductions. Texels lie face after face, in a face row after row
+/// Content of a Ptex file, without reductions. Texels lie face after face, in a face row after row
 /// by rising v, in a row by rising u, channels interleaved; those of UInt8 and UInt16 are in
 /// [0, 1]. In triangles (log2U = log2V) texel (x, y) with x + y below the resolution n is a small
 /// triangle of the face's orientation, else the inverted one of cell (n - 1 - y, n - 1 - x).

@@ -34,7 +34,7 @@ decltype(auto) WithPtexType(PtexType type, F f) {
     }
 }
 
-/// What a stored value is multiplied by.
+/// Factor from a stored value to the value it stands for: integers to [0, 1].
 template <typename T>
 constexpr float PtexScale() {
     if constexpr (std::is_integral_v<T>) return 1.f / std::numeric_limits<T>::max();
@@ -69,7 +69,7 @@ class PtexTexels {
     int NLevels(int face) const {
         return IsConstant(face) ? 1 : 1 + std::max(Log2U(face), Log2V(face));
     }
-    /// Of one level: 2^(Log2U - level) but at least 1 times the like for v.
+    /// Bytes of one level; texels along u: 2^(Log2U - level) but at least 1, along v the like.
     size_t LevelBytes(int face, int level) const {
         return (size_t(1) << (std::max(Log2U(face) - level, 0) +
                               std::max(Log2V(face) - level, 0))) *

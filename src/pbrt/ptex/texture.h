@@ -27,7 +27,7 @@ struct PtexData {
     PtexTexels texels;
     int alphaChannel = -1;
     std::vector<PtexNeighbours> neighbours;       ///< per face; empty where no face has any
-    std::map<std::string, std::string> metadata;  ///< what is text
+    std::map<std::string, std::string> metadata;  ///< text entries only
 };
 
 /// Reads a whole file: all types and encodings of version 1; no edits. Borders are read as "clamp".
@@ -73,7 +73,7 @@ class PtexTexture {
     const PtexNeighbours *Neighbours(int face) const {
         return data.neighbours.empty() ? nullptr : &data.neighbours[size_t(face)];
     }
-    /// What WritePtex takes; subfaces have lost what made them such.
+    /// Content as WritePtex takes it; subfaces have lost what made them such.
     PtexContent Content() const;
 
   private:

@@ -22,7 +22,7 @@ struct Family {
 /// All of them, in the order in which a scene file has them.
 std::span<const Family> Families();
 
-/// What creating a plug-in asked for and said.
+/// Parameters and messages that creating a plug-in asked for and gave.
 struct Trial {
     std::vector<RequestedParam> requested;
     std::vector<Message> messages;

@@ -8,7 +8,7 @@
 
 namespace pbrt::reference {
 
-/// How a scene names the plug-in: `Material "diffuse"`.
+/// The plug-in as a scene names it: `Material "diffuse"`.
 std::string Call(const Family &family, std::string_view type);
 
 /// Columns for a terminal: name, types, unit, default and range, and the meaning below, in lines of

@@ -9,7 +9,7 @@
 namespace pbrt {
 namespace {
 
-/// Why a picture of the film's pixels cannot be compared with the reference.
+/// Why an image of the film's pixels cannot be compared with the reference.
 std::optional<std::string> Mismatch(const Image &reference, const Film &film) {
     for (const char *const name : {"R", "G", "B"})
         if (reference.ChannelIndex(name) < 0) return fmt::format("has no channel {}", name);

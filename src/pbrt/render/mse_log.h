@@ -7,7 +7,7 @@
 
 namespace pbrt {
 
-/// How the error of a picture falls while it is rendered: Option "msereferenceimage" and
+/// Log of an image's error while it is rendered: Option "msereferenceimage" and
 /// "msereferenceout".
 class MseLog {
   public:
@@ -19,7 +19,7 @@ class MseLog {
     /// Writes a line `spp, error` and all before it: the mean over pixels, R, G and B of the
     /// squared difference.
     void Add(const Image &image, int samplesPerPixel);
-    /// Error of the last picture added.
+    /// Error of the last image added.
     double Error() const { return error; }
     /// Why the file could not be written, if so.
     const std::optional<std::string> &Problem() const { return problem; }

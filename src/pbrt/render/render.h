@@ -28,7 +28,7 @@ struct RenderTask {
     int SamplesPerPixel() const;
 };
 
-/// What the command line overrides of a scene, and what it says of the render.
+/// Scene settings that the command line overrides, and its settings of the render.
 struct Overrides : SceneOverrides {
     float targetError = 0;  ///< RenderTask's
 };

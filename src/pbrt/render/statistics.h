@@ -7,7 +7,7 @@
 
 namespace pbrt {
 
-/// What a run of `pbrt` took.
+/// Time and memory used by one run of `pbrt`.
 struct Statistics {
     double parseSeconds = 0, buildSeconds = 0;
     RenderStats render;

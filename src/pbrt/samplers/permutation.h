@@ -10,7 +10,7 @@ namespace pbrt {
 
 /// A bijection of the numbers of `bits` bits, chosen by a well-mixed key: three rounds of addition,
 /// i ^= i * even (each bit reaches the higher ones) and i ^= i >> half (the lower ones).
-/// How random: if the elements are interleaved out to two dimensions by two keys, the variance of
+/// Randomness: if the elements are interleaved out to two dimensions by two keys, the variance of
 /// the product of two Walsh functions is that of random permutations, n / (n - 1), to within 20 %
 /// for n = 4 to 64; one nested shuffle alone is wrong by a factor n. U: uint32_t or UintX16.
 class BitPermutation {
@@ -45,7 +45,7 @@ class Permutation {
     explicit Permutation(uint32_t n) : n(n), bits(std::bit_width(n - 1)) {}
 
     uint32_t Size() const { return n; }
-    /// Where i < n goes in the permutation chosen by two independent keys.
+    /// Image of i < n under the permutation chosen by two independent keys.
     template <typename U>
     U operator()(U i, U walkKey, U turnKey) const {
         i = bits(i, walkKey);

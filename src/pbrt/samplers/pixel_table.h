@@ -16,10 +16,10 @@ class PixelTable {
     }
     size_t Size() const { return values.size(); }
     uint32_t &operator[](size_t pixel) { return values[pixel]; }
-    /// Of the sixteen pixels from `first` on.
+    /// Values of the sixteen pixels from `first` on.
     UintX16 From(size_t first) const { return LoadX16(&values[first]); }
     void SetFrom(size_t first, UintX16 v) { Store(v, &values[first]); }
-    /// Of pixel[lane] in each lane.
+    /// Value of pixel[lane] in each lane.
     UintX16 At(UintX16 pixel) const {
         return values.size() == kPacketSize ? Permute(From(0), pixel)
                                             : Gather(values.data(), pixel);

@@ -13,7 +13,7 @@
 
 namespace pbrt {
 
-/// What is done to the digits of the Sobol' points, with keys that depend on seed and dimension.
+/// Randomisation of the digits of the Sobol' points, with keys that depend on seed and dimension.
 enum class Randomization { None, PermuteDigits, Owen, FastOwen };
 
 /// Screen-space blue noise by one (0,2)-sequence along a randomised Z-order curve of pixels (Ahmed
@@ -81,7 +81,7 @@ class ZSobolSampler {
   private:
     static constexpr int kKnownBlocks = 4, kKnownDimensions = 64;
 
-    /// What a dimension needs to know about a pixel, sixteen times.
+    /// Data of a pixel in one dimension, sixteen times.
     struct PixelPlace {
         UintX16 firstPoint;  ///< place of the pixel's samples in the sequence, modulo 2^32
         UintX16 carry;       ///< that place divided by 2^32

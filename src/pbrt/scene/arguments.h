@@ -20,7 +20,7 @@ class Arguments {
     Arguments(IsDirectiveName isDirective, Diagnostics *log)
         : isDirective(isDirective), log(log), parameters(isDirective, log) {}
 
-    /// What follows is read from here; nullptr: nothing does.
+    /// Sets the lexer that arguments are read from; nullptr: none.
     void ReadFrom(Lexer *from) { lexer = from; }
     Lexer *Source() const { return lexer; }
     /// A directive begins at the lexer's token. `name` must outlive the reading of its arguments.
@@ -47,7 +47,7 @@ class Arguments {
     ParsedParameters Parameters(const RGBColorSpace *colorSpace) {
         return parameters.Read(*lexer, colorSpace);
     }
-    /// As many numbers as labels, which name them in messages.
+    /// Reads as many numbers as there are labels, which name them in messages.
     std::optional<std::vector<float>> Numbers(std::span<const std::string_view> labels);
     /// 16 numbers in brackets, column after column.
     std::optional<Matrix4> BracketedMatrix();
@@ -56,7 +56,7 @@ class Arguments {
     void Expected(std::string_view what);
     /// An error about the directive.
     void Error(const FileLoc &loc, std::string_view message);
-    /// To the next directive, or the next line that begins with another name: a misspelt one.
+    /// Skips to the next directive, or the next line that begins with another name: a misspelt one.
     void Resynchronise();
 
   private:

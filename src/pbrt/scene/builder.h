@@ -11,7 +11,7 @@
 
 namespace pbrt {
 
-/// What `Attribute "target"` may name.
+/// Targets that `Attribute "target"` may name.
 enum class AttributeTarget { Shape, Light, Material, Medium, Texture };
 inline constexpr std::array<std::string_view, 5> kAttributeTargets{"shape", "light", "material",
                                                                    "medium", "texture"};

@@ -18,7 +18,7 @@ std::vector<std::string_view> Names(const Map &map) {
     return names;
 }
 
-/// What goes through objects inside objects recurs once for each level.
+/// Deepest nesting of objects: code that goes through objects inside objects recurs for each level.
 constexpr int kMostLevels = 1000;
 
 /// Takes out of all objects the uses that make one contain itself, or too many levels, depth first.

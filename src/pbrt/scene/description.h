@@ -38,7 +38,7 @@ struct ObjectEntity {
     std::vector<InstanceUse> instances;
 };
 
-/// What `Option` and the command line set; the file's values win (PBRT_FORMAT 1.3).
+/// Values that `Option` and the command line set; the file's win (PBRT_FORMAT 1.3).
 struct Options {
     int seed = 0;
     bool disablePixelJitter = false;
@@ -51,7 +51,7 @@ struct Options {
 
 /// Names that `Option` takes, as PBRT_FORMAT 1.4 spells them.
 std::span<const std::string_view> OptionNames();
-/// What each of them means, but for those that have no effect here.
+/// Rows that document the options, but for those that have no effect here.
 std::span<const ParamRow> OptionRows();
 
 /// A whole scene as written: plain entities, printable, nothing interpreted.
@@ -68,7 +68,7 @@ struct SceneDescription {
     std::vector<InstanceUse> instances;
     Options options;
     std::string dir;                    ///< folder of the last top-level scene file
-    std::deque<std::string> fileNames;  ///< what FileLoc::file points into
+    std::deque<std::string> fileNames;  ///< names that FileLoc::file points into
 };
 
 /// Reads scene files (or standard input for an empty list or "-") into `scene`. Mistakes go to the

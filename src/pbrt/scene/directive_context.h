@@ -10,7 +10,7 @@
 
 namespace pbrt {
 
-/// What the directives of a scene share: where their arguments come from and where they go.
+/// State that the directives of a scene share: where arguments come from and where they go.
 struct DirectiveContext {
     /// Reads the file that a directive at `use` names, in place.
     using ReadNested = std::function<void(const std::string &name, const FileLoc &use)>;

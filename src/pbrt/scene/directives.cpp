@@ -14,7 +14,7 @@
 namespace pbrt {
 namespace {
 
-// --- Settings of the whole picture ---
+// --- Settings of the whole image ---
 
 void ReadAccelerator(DirectiveContext &c) {
     if (auto e = c.NamedEntity("the accelerator's name")) c.scene->accelerator = std::move(*e);

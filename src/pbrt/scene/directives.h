@@ -8,7 +8,7 @@
 
 namespace pbrt {
 
-/// Where a directive may stand.
+/// Part of a scene file in which a directive may stand.
 enum class Where : uint8_t { Anywhere, BeforeWorld, InWorld };
 
 struct Directive {

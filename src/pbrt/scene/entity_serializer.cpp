@@ -5,7 +5,7 @@
 namespace pbrt {
 namespace {
 
-/// Which values a parameter has, and whether they are inherited.
+/// Kinds of values that a parameter has, and whether they are inherited.
 enum : uint8_t { Floats, Ints, Strings, Bools, MayBeUnused = 4 };
 
 enum : uint8_t { SameTransform = 1, Moves = 2, Reversed = 4, Shines = 8 };

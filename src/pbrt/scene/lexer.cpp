@@ -12,7 +12,7 @@ namespace {
 
 enum CharClass : uint8_t { Plain, Blank, Delimiter, Continuation };
 
-/// What ends a word, and what does not count as a column.
+/// Classes of the bytes: those that end a word, and those that do not count as a column.
 constexpr std::array<CharClass, 256> kClasses = [] {
     std::array<CharClass, 256> c{};
     for (char blank : {' ', '\t', '\n', '\r'})

@@ -43,9 +43,9 @@ class Lexer {
     FileLoc Loc(const Token &t) const { return {file, t.line, t.column}; }
     /// Place of the token not yet consumed.
     FileLoc Loc() const { return Loc(token); }
-    /// Where a quote is missing on the line of the token not yet consumed, and so everything after
-    /// it means something else: reports that instead of what follows from it, and passes over the
-    /// line. Call it before any other error about the token.
+    /// Reports that a quote is missing on the line of the token not yet consumed, instead of errors
+    /// that only follow from it, and passes over the line; false where none is missing. Call it
+    /// before any other error about the token.
     bool ReportMissingQuote();
 
   private:

@@ -60,10 +60,10 @@ class PackedEntities {
     size_t Bytes() const;
 
   private:
-    /// Large enough that the system takes it back at once.
+    /// Bytes of a block, enough that the system takes a freed one back at once.
     static constexpr size_t kBlock = size_t(1) << 20;
 
-    /// What stands there in a block; the place after it.
+    /// Reads the entity at `at` in a block; returns the place after it.
     size_t Read(size_t block, size_t at, E *entity) const;
 
     EntitySerializer packer;

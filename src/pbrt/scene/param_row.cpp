@@ -24,7 +24,7 @@ struct Range {
     bool OpenBelow() const { return lo <= std::numeric_limits<Number>::lowest(); }
     bool OpenAbove() const { return hi >= std::numeric_limits<Number>::max(); }
     bool WithoutZero() const { return lo == Number(kAboveZero) && lo != 0; }
-    /// Of two ends.
+    /// Range with two ends.
     std::string Interval() const {
         return WithoutZero() ? fmt::format("(0, {}]", hi) : fmt::format("[{}, {}]", lo, hi);
     }

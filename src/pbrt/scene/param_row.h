@@ -14,15 +14,15 @@ namespace pbrt {
 // `pbrt --explain` and docs/REFERENCE.md show: the same rows feed parsing, range errors, the manual
 // and the tests' corner cases. Texts must outlive the program's use of them: literals.
 //   name  as in the scene file       unit  of the values; empty: none, or the scene's own
-//   def   what counts where the parameter is not given
+//   def   default value, used where the parameter is not given
 //   lo, hi  legal range, both ends included; +-kOpen or an integer's limits: open
 //   doc   what it means, a phrase without a full stop
 
-/// An end of a range that is none.
+/// Open end of a range.
 inline constexpr float kOpen = std::numeric_limits<float>::infinity();
 /// Lower end of a range that leaves out 0: the least float above it. Shown as `> 0` or `(0, hi]`.
 inline constexpr float kAboveZero = std::numeric_limits<float>::denorm_min();
-/// Ends of an integer's range that are none.
+/// Open ends of an integer's range.
 inline constexpr int kLeastInt = std::numeric_limits<int>::min();
 inline constexpr int kMostInt = std::numeric_limits<int>::max();
 
@@ -59,7 +59,7 @@ struct ChoiceParam {
     std::string_view doc;
 };
 
-/// How an RGB color becomes a spectrum.
+/// Kind of spectrum that an RGB color becomes.
 enum class SpectrumType { Albedo, Unbounded, Illuminant };
 
 /// `rgb`, `blackbody` or `spectrum`; where Create asks for a texture, that may be given instead.
@@ -78,7 +78,7 @@ struct PointParam {
     std::array<float, 3> def;
     std::string_view doc;
 };
-/// Lists; nothing is in them where they are not given.
+/// A list, empty where it is not given.
 struct ArrayParam {
     std::string_view name;
     std::string_view type;  ///< of the scene language: "point3", "integer", ...
@@ -89,7 +89,7 @@ struct ArrayParam {
 using ParamRow = std::variant<FloatParam, IntParam, BoolParam, StringParam, ChoiceParam,
                               SpectrumParam, PointParam, ArrayParam>;
 
-/// What a plug-in asked for.
+/// A parameter that a plug-in asked for.
 struct RequestedParam {
     ParamRow row;
     bool texture = false;  ///< `texture` is allowed, too

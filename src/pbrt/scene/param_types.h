@@ -5,7 +5,7 @@
 
 namespace pbrt {
 
-/// Which vector of ParsedParameter holds a type's values.
+/// Vector of ParsedParameter that holds a type's values.
 enum class ValueKind { Float, Int, Bool, String, FloatOrString };
 
 /// One parameter type of the scene language (PBRT_FORMAT 1.2).
@@ -18,7 +18,7 @@ struct ParamType {
 /// nullptr where there is no such type.
 const ParamType *FindParamType(std::string_view name);
 std::span<const std::string_view> ParamTypeNames();
-/// What pbrt-v4 calls a type of pbrt-v3 ("color": "rgb"); empty where it is none.
+/// pbrt-v4's name of a type of pbrt-v3 ("color": "rgb"); empty where `name` is none.
 std::string_view NewNameOfType(std::string_view name);
 
 /// A parameter declaration `type name` taken apart; empty where a part is missing.

@@ -58,12 +58,12 @@ class ParamDict {
     int GetOneChoice(const ChoiceParam &row);
     Point3f GetOnePoint3f(const PointParam &row);
     Vector3f GetOneVector3f(const PointParam &row);
-    /// From rgb, blackbody or spectrum (inline, named, file); nullopt where not given or wrong.
+    /// Spectrum of rgb, blackbody or spectrum (inline, named, file); nullopt if not given or wrong.
     /// Of these types the last one written counts. rgb: below 0, or above 1 for Albedo, is an
     /// error. Outside their wavelengths spectra are 0, as in pbrt-v4, but measurements in files:
     /// there albedos and unbounded ones keep the end's value, with one warning a file.
     std::optional<Spectrum> GetOneSpectrum(const SpectrumParam &row);
-    /// The RGB itself where what counts of the row was given as `rgb`.
+    /// The RGB itself where the value that counts (see above) was given as `rgb`.
     std::optional<RGB> GetOneRGB(const SpectrumParam &row);
     /// File name, made relative to the scene's folder where such a file exists; empty if not given.
     std::string GetFileName(const StringParam &row);
@@ -148,8 +148,8 @@ class ParamDict {
     std::string dir;
 };
 
-/// What counts where the parameter is not given; only of rows whose `def` is a number or the name
-/// of a built-in spectrum.
+/// Default value, used where the parameter is not given; only of rows whose `def` is a number or
+/// the name of a built-in spectrum.
 Spectrum DefaultSpectrum(const SpectrumParam &row);
 
 }  // namespace pbrt

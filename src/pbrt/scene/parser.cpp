@@ -16,7 +16,7 @@ constexpr int kMostErrors = 200;
 constexpr int kMostIncluded = 100000;
 constexpr size_t kMostOpen = 200;
 
-/// What kind of file this is, where it cannot be a scene; else empty.
+/// Reason why the text cannot be a scene; else empty.
 std::string_view NotAScene(std::string_view text) {
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
         return "the file is in UTF-16; scene files are UTF-8";

@@ -39,7 +39,7 @@ struct BilinearMesh {
     static SurfaceInteractionX16 SurfacesAt(const ShapePacket<BilinearMesh> &meshes,
                                             const RayHits &met, LaneBits active);
 
-    /// Of the bilinear surface, which the ray tracer asks where the mesh is not planar.
+    /// Intersection with the bilinear surface, for the ray tracer where the mesh is not planar.
     std::optional<PrimitiveHit> Intersect(uint32_t primitive, const RayD &ray) const;
 
     // Rectangles by solid angle: patch_sampler.h.

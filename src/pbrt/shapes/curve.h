@@ -38,7 +38,7 @@ struct CurveSet {
     static std::optional<std::variant<CurveSet, TriangleMesh>> Create(const ShapeArguments &a);
 
     size_t NPrimitives() const { return first.size(); }
-    /// Segments lie in the hull of their points, and lines about them in the hull of the balls.
+    /// Segments lie in the hull of their points; with their width, in that of the points' spheres.
     Bounds3f Bounds() const { return BoundsOf(points.data(), points.size()); }
     Bounds3f PrimitiveBounds(uint32_t primitive) const {
         return BoundsOf(&points[first[primitive]], 4);

@@ -5,7 +5,7 @@
 
 namespace pbrt {
 
-/// What a ray tracer must know of a shape beside its form.
+/// A shape with all that the ray tracer must know of it.
 struct Geometry {
     Shape shape;
     int material = 0;                  ///< index into RenderScene::materials

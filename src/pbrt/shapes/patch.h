@@ -96,7 +96,7 @@ template <typename T>
 inline Vec3<T> PatchError(const PatchT<T> &q, const BilinearWeightsT<T> &w) {
     return Gamma(9) * w(Abs(q.p00), Abs(q.p10), Abs(q.p01), Abs(q.p11));
 }
-/// What flat patches carry more: the ray tracer's test of one of their triangles.
+/// Further error of flat patches: that of the ray tracer's test of one of their triangles.
 template <typename T>
 inline Vec3<T> FlatPatchError(const PatchT<T> &q, const FlatHit<T> &at, Vec3<T> n) {
     const Vec3<T> e1 = q.p10 - at.corner, e2 = q.p01 - at.corner;

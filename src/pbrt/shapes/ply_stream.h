@@ -19,17 +19,17 @@ class PlyStream {
     PlyStream(const PlyStream &) = delete;
     PlyStream &operator=(const PlyStream &) = delete;
 
-    /// Most that Fill can promise.
+    /// Largest n that Fill takes.
     static constexpr size_t kMostAhead = size_t(1) << 16;
 
-    /// Whether n <= kMostAhead more bytes are there; they are at Data() then.
+    /// Reads ahead. True where n <= kMostAhead more bytes are there; they are at Data() then.
     bool Fill(size_t n) { return Available() >= n || Refill(n); }
     const uint8_t *Data() const { return at; }
     /// Bytes at Data(), perhaps more than were asked for.
     size_t Available() const { return size_t(end - at); }
     void Skip(size_t n) { at += n; }
 
-    /// What keeps the file from being read, or empty; the end of the file is no problem.
+    /// Why the file cannot be read, or empty; the end of the file is no problem.
     const std::string &Problem() const { return problem; }
     /// True where the bytes that are left are known (no gzip).
     bool KnowsLength() const { return knowsLength; }

@@ -74,7 +74,7 @@ class PlyValues {
     size_t RowsAhead(const PlyElement &e) const {
         return stream.KnowsLength() ? e.count : std::min<size_t>(e.count, size_t(1) << 20);
     }
-    /// What is wrong after a call returned false within the element's row.
+    /// Description of the mistake, after a call returned false within the element's row.
     std::string ProblemIn(const PlyElement &e, size_t row) const;
 
     bool Swaps() const { return swap; }

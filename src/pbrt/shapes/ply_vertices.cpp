@@ -18,7 +18,7 @@ struct Column {
 };
 constexpr size_t kStride[3] = {3, 3, 2};
 
-/// Where the next row's numbers go, by array.
+/// Destinations of the next row's numbers, by array.
 using Destinations = std::array<float *, 3>;
 
 class VertexReader {

@@ -75,7 +75,7 @@ struct Roots {
     double t0, t1;
 };
 
-/// Where a ray, given by its parts across an axis (circle) or in space (sphere), crosses radius r.
+/// Crossings of radius r by a ray, given by its parts across an axis (circle) or in space (sphere).
 /// The discriminant comes from the distance at the closest approach (Hearn and Baker), the roots
 /// without cancellation (Kahan). r, a float, has an exact square: signs are right for origins
 /// 1e-15 r from the surface.
@@ -132,7 +132,7 @@ inline float UniformScale(const Transform &t) {
     return similar ? std::sqrt(xx) : 0;
 }
 
-/// How much the transform stretches the area about a point with unit normal n in object space.
+/// Factor by which the transform stretches area about a point with unit normal n in object space.
 inline float AreaStretch(const Transform &t, Normal3f n) {
     return Volume(t) * Length(t.Normal(n));
 }

@@ -53,8 +53,8 @@ class QuadricReader {
     }
 
   private:
-    /// What to measure a quadric of this radius in, so that squares of object space lengths neither
-    /// over- nor underflow: a power of two, by which nothing else is changed.
+    /// Unit of length for a quadric of this radius in which squares of object space lengths neither
+    /// over- nor underflow: a power of two, which changes nothing else.
     static float Unit(float radius);
     /// Normals and tangents must have lengths to normalise by.
     void CheckSize(const Transform &renderFromObject);

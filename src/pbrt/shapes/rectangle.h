@@ -97,7 +97,7 @@ class RectangleT {
     }
 
     Vec3<T> Normal() const { return n; }
-    /// Of the points drawn.
+    /// Bounds of the rounding error of the points drawn, per axis.
     Vec3<T> Error() const { return pError; }
 
     Sample SampleFrom(Vec3<T> ref, Vec2<T> u) const {

@@ -66,12 +66,12 @@ struct CrossDirectionT {
 };
 using CrossDirection = CrossDirectionT<float>;
 
-/// Where float over- or underflows: through double, and (0, 0, 1), 0 for parallel vectors.
+/// For where float over- or underflows: through double, and (0, 0, 1), 0 for parallel vectors.
 [[gnu::cold]] CrossDirection CrossDirectionInDouble(Vector3f a, Vector3f b);
 
 [[gnu::cold]] CrossDirectionT<FloatX16> CrossDirectionInDouble(Vector3fX16 a, Vector3fX16 b);
 
-/// Whether a squared length is neither over- nor underflowing.
+/// True where a squared length neither over- nor underflows.
 template <typename T>
 inline auto IsSafe(T length2) {
     return (length2 > 1e-30f) & (length2 < 1e30f);

@@ -23,7 +23,7 @@ using Shape = ShapeTypes::Variant;
 
 static_assert(ShapeTypes::All([]<typename S>() { return ShapeContract<S>::value; }));
 
-/// What a scene may name: the shapes, and files of them.
+/// Types that a `Shape` directive may name: the shapes, and files of them.
 using ShapeDirectives = ShapeTypes::Append<PlyFile>;
 
 /// Makes the shapes one directive describes: usually one; a PLY file with triangles and quads makes

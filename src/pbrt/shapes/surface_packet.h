@@ -8,7 +8,7 @@
 
 namespace pbrt {
 
-/// What sixteen rays have met, each its own shape.
+/// Hits of sixteen rays, each with its own shape.
 struct PacketHits : RayHits {
     std::array<const Shape *, kPacketSize> shape;
 };

@@ -11,7 +11,7 @@
 
 namespace pbrt {
 
-/// What comparing two vectors gives: true or false for each of N elements of that many bytes.
+/// Result of comparing two vectors: true or false for each of N elements of that many bytes.
 template <int Bytes, int N>
 class SimdMask {
   public:

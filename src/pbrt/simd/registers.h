@@ -18,10 +18,10 @@
 // array of registers or elements: what is indexed by a variable lives in memory. Structs of several
 // vectors are best made in place and passed by reference; g++ copies them through memory.
 //
-// Intrinsics are named where g++ 12 does not find the instruction: it turns minimum and maximum into
+// Intrinsics are named where g++ 12 does not find the instruction: it turns min and max into
 // a comparison and a blend and converts float to double by halves, and it calls functions for roots
 // and roundings unless errno and traps are switched off. The AVX-512 ones are the masked forms with
-// a mask that always holds: the unmasked ones start from an undefined register, which g++ 12 reports
+// a mask that always holds: others start from an undefined register, which g++ 12 reports
 // as uninitialised.
 //
 // Registers are as wide as the machine has them. What one evaluation needs (up to eight floats) is
@@ -42,7 +42,7 @@ inline constexpr int kRegisterBytes = 16;
 /// Functions of one register R of numbers T.
 namespace registers {
 
-/// How many of N numbers of `bytes` one register holds.
+/// Number of elements of `bytes` bytes, of N in all, that one register holds.
 constexpr int Width(int bytes, int N) {
     return std::min(N, kRegisterBytes / bytes);
 }

@@ -179,7 +179,7 @@ class Simd {
     }
 };
 
-/// What packets of rays, surfaces and so on are wide.
+/// Width of packets of rays, surfaces and so on.
 inline constexpr int kPacketSize = 16;
 inline constexpr LaneBits kAllLanes = 0xffff;
 
@@ -208,7 +208,7 @@ template <int N, class T>
 [[gnu::always_inline]] inline Simd<T, N> Broadcast(T x) {
     return x;
 }
-/// Of two scalars.
+/// Select for two scalars.
 template <int Bytes, int N, class T>
 requires(std::is_arithmetic_v<T> && sizeof(T) == Bytes)
     [[gnu::always_inline]] inline Simd<T, N> Select(const SimdMask<Bytes, N> &mask, T a, T b) {
@@ -227,13 +227,13 @@ struct SimdTraits<Simd<T, N>> {
     template <class U>
     using Of = Simd<U, N>;
 };
-/// Of what a V consists: V itself where it is a scalar.
+/// Type of a V's numbers: V itself where it is a scalar.
 template <class V>
 using ScalarOf = typename SimdTraits<V>::Scalar;
 /// As many int32_t as V has numbers.
 template <class V>
 using IntOf = typename SimdTraits<V>::template Of<int32_t>;
-/// What comparing two V gives: bool, or one for each element.
+/// Result of comparing two V: bool, or one for each element.
 template <class V>
 using MaskFor = decltype(std::declval<V>() < std::declval<V>());
 /// One float or several.

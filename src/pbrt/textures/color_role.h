@@ -16,7 +16,7 @@ inline SampledSpectrum SampleColor(const RGBColorSpace &space, RGB rgb, Spectrum
     rgb = {std::min(rgb.r, 1.f), std::min(rgb.g, 1.f), std::min(rgb.b, 1.f)};
     return space.SampleAlbedo(rgb, lambda);
 }
-/// What SampleColor gives for three equal components, without its fit where the spectrum is flat.
+/// SampleColor for three equal components, without its fit where the spectrum is flat.
 inline SampledSpectrum SampleGrey(const RGBColorSpace &space, float v, SpectrumType role,
                                   const SampledWavelengths &lambda) {
     if (role == SpectrumType::Illuminant) return space.SampleIlluminant({v, v, v}, lambda);

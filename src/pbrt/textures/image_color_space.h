@@ -6,7 +6,7 @@
 
 namespace pbrt {
 
-/// Colour space of a picture's RGB: the known one with its chromaticities, else sRGB.
+/// Colour space of an image's RGB: the known one with its chromaticities, else sRGB.
 inline const RGBColorSpace &ColorSpaceOf(const Image &image) {
     if (const auto &xy = image.metadata.chromaticities)
         for (std::string_view name : RGBColorSpace::Names())

@@ -30,7 +30,7 @@ struct ImageLookup {
     template <typename T>
     T Stored(const TextureEvalContext &ctx) const {
         const TexCoord2D c = mapping.Map(ctx);
-        // Rows of pictures run downwards.
+        // Rows of images run downwards.
         return image->Lookup<T>({c.st.x, 1 - c.st.y}, {c.dsdx, -c.dtdx, c.dsdy, -c.dtdy}, sampling);
     }
     float Adjusted(float v) const {
@@ -69,7 +69,7 @@ std::string AlphaKey(const std::string &key) {
     return key + "|A";
 }
 
-/// From those already read; nullopt where none serves.
+/// The image among those already read; nullopt where none serves.
 std::optional<std::shared_ptr<const MIPMap>> FindImage(const Images &images, const std::string &key,
                                                        bool wantsFloat) {
     const auto color = images.find(key);
@@ -108,7 +108,7 @@ std::shared_ptr<const MIPMap> AddImage(ParamDict &params, const std::string &fil
     return images[key] = map;
 }
 
-/// The picture, or what floats are read from; nullptr after an error.
+/// The image, or what floats are read from; nullptr after an error.
 std::shared_ptr<const MIPMap> GetImage(TextureBuilder &builder, bool wantsFloat) {
     ParamDict &params = builder.params;
     const std::string file = params.GetFileName(kFileName);

@@ -6,9 +6,9 @@
 
 namespace pbrt {
 
-/// A picture laid over the surface: s to the right, t upwards, both 0 to 1. Values are times
+/// An image laid over the surface: s to the right, t upwards, both 0 to 1. Values are times
 /// `scale` and, with `invert`, taken from 1; never below 0, nor above 1 as an albedo. Floats are
-/// the mean of R, G and B, or alpha, which is linear in every file, where the picture has R, G, B
+/// the mean of R, G and B, or alpha, which is linear in every file, where the image has R, G, B
 /// and an alpha that is not 1 everywhere.
 struct ImageTexture {
     static constexpr std::string_view kName = "imagemap";

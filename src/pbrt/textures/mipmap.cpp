@@ -35,7 +35,7 @@ Point2f Tame(Point2f st, WrapMode wrap) {
     return {Tame(st.x, wrap), Tame(st.y, wrap)};
 }
 
-/// Channels that a texture reads; empty where the picture has no colour it knows.
+/// Channels that a texture reads; empty where the image has no colour it knows.
 std::vector<int> ColorChannels(const Image &image) {
     const int r = image.ChannelIndex("R"), g = image.ChannelIndex("G"), b = image.ChannelIndex("B");
     if (r >= 0 && g >= 0 && b >= 0) return {r, g, b};

@@ -9,7 +9,7 @@
 namespace pbrt {
 
 enum class TextureFilter { Point, Bilinear, Trilinear, EWA };
-/// What stands outside [0, 1]^2.
+/// Rule for look-ups outside [0, 1]^2.
 enum class WrapMode { Repeat, Black, Clamp };
 
 struct TextureSampling {
@@ -23,20 +23,20 @@ struct Footprint {
     float dsdx = 0, dtdx = 0, dsdy = 0, dtdy = 0;
 };
 
-/// A texture's picture and its halvings down to one texel, which take 4/3 bytes for a byte of an
-/// 8-bit picture and 1/3 for one of others. Immutable.
+/// A texture's image and its halvings down to one texel, which take 4/3 bytes for a byte of an
+/// 8-bit image and 1/3 for one of others. Immutable.
 /// (0, 0) is the upper left corner of the upper left texel, (1, 1) the lower right.
 class MIPMap {
   public:
-    /// Takes R, G, B, or Y, or the only channel; nullptr where the picture has none of these.
+    /// Takes R, G, B, or Y, or the only channel; nullptr where the image has none of these.
     /// `encoding`: the one that the file's bytes had, for compact storage.
     static std::shared_ptr<const MIPMap> Create(const Image &image, const ColorEncoding &encoding);
-    /// Takes the channel A, which the picture must have.
+    /// Takes the channel A, which the image must have.
     static std::shared_ptr<const MIPMap> CreateOfAlpha(const Image &image);
     /// Has channels R, G, B, and A that is not 1 everywhere: pbrt-v4 reads floats from A then.
     static bool HasAlpha(const Image &image);
 
-    /// The most memory that Create takes, beside the picture: all levels as floats.
+    /// The most memory that Create takes, beside the image: all levels as floats.
     static uint64_t BytesToCreate(const Image &image);
 
     /// Filtered value, T = float (mean of the channels) or RGB. Point and bilinear look at one
@@ -50,9 +50,9 @@ class MIPMap {
     int NChannels() const { return levels[0].NChannels(); }
     int NLevels() const { return int(levels.size()); }
     const TexelGrid &Level(int i) const { return levels[size_t(i)]; }
-    /// Of the picture's primaries where these are one of the known spaces', else sRGB.
+    /// Color space of the image's primaries where these are a known space's, else sRGB.
     const RGBColorSpace &ColorSpace() const { return *colorSpace; }
-    /// The picture HasAlpha, and this is its colour.
+    /// True where the image HasAlpha, and this is its colour.
     bool LeavesOutAlpha() const { return leavesOutAlpha; }
     size_t MemoryBytes() const;
 

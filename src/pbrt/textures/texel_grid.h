@@ -10,7 +10,7 @@
 namespace pbrt {
 
 /// Linear texels of one resolution with one or three channels. Values that all come from a table
-/// of 256 (an 8-bit picture) are kept as bytes.
+/// of 256 (an 8-bit image) are kept as bytes.
 class TexelGrid {
   public:
     /// `values`: rows from the top, `nChannels` (1 or 3) per texel.

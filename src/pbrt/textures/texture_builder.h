@@ -12,8 +12,8 @@ namespace pbrt {
 inline constexpr std::array<SpectrumType, 3> kSpectrumRoles{
     SpectrumType::Albedo, SpectrumType::Unbounded, SpectrumType::Illuminant};
 
-/// What a texture class needs to make one texture: its parameters, the textures defined before,
-/// and where it stands.
+/// Input from which a texture class makes one texture: its parameters, the textures defined
+/// before, and its place.
 struct TextureBuilder {
     ParamDict &params;
     NamedTextures &named;

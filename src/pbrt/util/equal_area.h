@@ -5,7 +5,7 @@
 namespace pbrt {
 
 // Equal-area map between the unit square and the sphere (Clarberg 2008, "Fast Equal-Area Mapping of
-// the (Hemi)Sphere using SIMD"), laid out as pbrt-v4's environment pictures: the square's centre is
+// the (Hemi)Sphere using SIMD"), laid out as pbrt-v4's environment images: the square's centre is
 // +z, its corners are -z, its edges' middles are +-x (horizontal) and +-y (vertical, +y at v = 1).
 // T: float or FloatX16.
 

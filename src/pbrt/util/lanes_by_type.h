@@ -15,7 +15,7 @@ class LanesByType {
     /// The values in the given lanes, but for null; others are not read.
     template <typename Variant>
     LanesByType(const std::array<const Variant *, 16> &values, LaneBits lanes) {
-        // Bits gathered in an array by type would wait for each other in memory: 1 % of a picture.
+        // Bits gathered in an array by type would wait for each other: 1 % of rendering time.
         alignas(64) std::array<int32_t, 16> index;
         index.fill(-1);
         ForEachLane(lanes, [&](int i) {
@@ -25,7 +25,7 @@ class LanesByType {
     }
     /// Lanes that hold a value.
     LaneBits All() const { return BitsOf(type >= 0); }
-    /// Those that hold a T.
+    /// Lanes that hold a T.
     template <typename T>
     LaneBits Of() const {
         return BitsOf(type == int32_t(Types::template kIndexOf<T>));

@@ -46,7 +46,7 @@ inline UintX16 FindStep(const float *from, UintX16 start, uint32_t size, FloatX1
     return step;
 }
 
-/// Where between two successive values of a cdf the number u falls, 0 to 1.
+/// Relative position of the number u between two successive values of a cdf, 0 to 1.
 template <AnyFloat T>
 inline T PlaceInStep(T low, T high, T u) {
     const T width = high - low;
@@ -110,7 +110,7 @@ class PiecewiseConstant1D {
     float PDF(float x) const { return density[size_t(detail::StepAt(x, Size()))]; }
     /// The u that Sample turns into x.
     float Invert(float x) const { return detail::CdfAt(cdf, x); }
-    /// Of the given function over [0, 1].
+    /// Integral of the given function over [0, 1].
     float Integral() const { return integral; }
     int Size() const { return int(density.size()); }
 
@@ -163,7 +163,7 @@ class PiecewiseConstant2D {
     Point2f Invert(Point2f p) const {
         return {detail::CdfAt(RowCdf(detail::StepAt(p.y, nv)), p.x), rows.Invert(p.y)};
     }
-    /// Of the given function over [0, 1]^2.
+    /// Integral of the given function over [0, 1]^2.
     float Integral() const { return rows.Integral(); }
     Point2i Resolution() const { return {nu, nv}; }
 

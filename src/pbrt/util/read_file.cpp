@@ -15,7 +15,7 @@
 namespace pbrt {
 namespace {
 
-/// Less is always there; asking for it would take longer than reading a small file.
+/// Less memory is always there; asking for it would take longer than reading a small file.
 constexpr uint64_t kSmall = uint64_t(1) << 24;
 
 FileContents Refused(std::string reason) {
@@ -26,7 +26,7 @@ FileContents CannotBe(std::string_view done, int error) {
     return {{}, fmt::format("cannot be {}: {}", done, std::strerror(error)), std::strerror(error)};
 }
 
-/// To the end. `size`: what is expected, which may be wrong either way.
+/// Reads to the end. `size`: the expected one, which may be wrong either way.
 FileContents ReadToEnd(int fd, uint64_t size, uint64_t most) {
     const auto tooMuch = [&] {
         return Refused(fmt::format("it holds more than {}, the most that is read", ByteText(most)));

@@ -43,7 +43,7 @@ class Transform {
     /// True where the map turns right-handed frames into left-handed ones.
     bool SwapsHandedness() const;
 
-    /// With division by w where the last row is not (0, 0, 0, 1).
+    /// Transforms a point, dividing by w where the last row is not (0, 0, 0, 1).
     Point3f Point(Point3f p) const {
         const float x = m[0][0] * p.x + m[0][1] * p.y + m[0][2] * p.z + m[0][3];
         const float y = m[1][0] * p.x + m[1][1] * p.y + m[1][2] * p.z + m[1][3];
@@ -58,7 +58,7 @@ class Transform {
                 m[1][0] * v.x + m[1][1] * v.y + m[1][2] * v.z,
                 m[2][0] * v.x + m[2][1] * v.y + m[2][2] * v.z};
     }
-    /// By the inverse transpose; not normalised.
+    /// Transforms a normal by the inverse transpose; not normalised.
     Normal3f Normal(Normal3f n) const { return Transposed(mInv, n); }
     Bounds3f Bounds(const Bounds3f &b) const;
 

@@ -172,7 +172,7 @@ class BatchTracer final : public Tracer {
         }
     }
 
-    /// Which list paths belong to that meet this material.
+    /// Number of the list for paths that meet this material.
     uint32_t MaterialGroup(uint32_t material) const {
         return uint32_t(1 + ShadeGroup::IndexOf(scene.materials.Facts(material)));
     }

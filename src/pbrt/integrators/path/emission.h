@@ -21,8 +21,8 @@ inline float MISWeight(const PathSettings &settings, const PathState &path, floa
     }
 }
 
-/// What a path gains of the infinite light number `index` where its ray leaves the scene: Le times
-/// its weight, `density` being that of the light's own sampling.
+/// Gain of a path from the infinite light number `index` where its ray leaves the scene: Le times
+/// beta and the MIS weight, `density` being that of the light's own sampling.
 inline SampledSpectrum EscapedRadiance(const PathSettings &settings, const PathState &path,
                                        int index, SampledSpectrum Le, float density) {
     float lightPDF = 0;
@@ -31,7 +31,7 @@ inline SampledSpectrum EscapedRadiance(const PathSettings &settings, const PathS
     return path.beta * Le * MISWeight(settings, path, lightPDF);
 }
 
-/// Adds that of all infinite lights to batch.L, for the given lanes.
+/// Adds the gain from all infinite lights to batch.L, for the given lanes.
 inline void AddEscapedRadiance(const RenderScene &scene, const PathSettings &settings,
                                const PathPacket &paths, LaneBits lanes, PathBatch *batch) {
     WavelengthPacket lambda{};
@@ -46,7 +46,7 @@ inline void AddEscapedRadiance(const RenderScene &scene, const PathSettings &set
     }
 }
 
-/// What the path gains where its ray meets an emissive surface.
+/// Gain of a path where its ray meets an emissive surface: Le times beta and the MIS weight.
 inline SampledSpectrum EmittedRadiance(const RenderScene &scene, const PathSettings &settings,
                                        const PathState &path, const Geometry &geometry,
                                        uint32_t primitive, const SurfaceInteraction &sp,

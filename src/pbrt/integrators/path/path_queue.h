@@ -30,12 +30,12 @@ struct BatchVectors {
 };
 
 /// The paths of a batch that go on: their next rays and what they carry, one array per quantity.
-/// What a path keeps from its start to its end is found by its slot instead.
+/// Data that a path keeps from its start to its end are found by its slot instead.
 class PathQueue {
   public:
     int Size() const { return size; }
     void Clear() { size = 0; }
-    /// Whether PathState::previous has its normal: where somebody reads them. Before the first Add.
+    /// Sets whether PathState::previous has its normal: if that is read. Before the first Add.
     void KeepNormals(bool keep) { keepsNormals = keep; }
 
     [[gnu::always_inline]] void Add(const PathPacket &paths, LaneBits lanes) {
@@ -71,7 +71,7 @@ class PathQueue {
     RayPacket RaysAt(const UintX16 &at) const {
         return {o.At(at), d.At(at), Broadcast<16>(Infinity), Gather(&time[0], at)};
     }
-    /// Of sixteen successive paths; those beyond Size() are anything.
+    /// Directions of sixteen successive paths; those beyond Size() are anything.
     Vector3fX16 Directions(int first) const { return d.Load(first); }
 
   private:
@@ -99,11 +99,11 @@ class ShadowQueue {
         d.Put(size, to - from, lanes);
         ForEachLane(lanes, [&](int i) { gain[size_t(size++)] = gains[size_t(i)]; });
     }
-    /// As far as just before the light, at sixteen places.
+    /// Rays that end just before the light, of sixteen places.
     RayPacket RaysAt(const UintX16 &at) const {
         return {o.At(at), d.At(at), Broadcast<16>(kShadowEnd), Gather(&time[0], at)};
     }
-    /// Of sixteen successive rays; those beyond Size() are anything.
+    /// Directions of sixteen successive rays; those beyond Size() are anything.
     Vector3fX16 Directions(int first) const { return d.Load(first); }
     uint32_t Slot(uint32_t at) const { return slot[at]; }
     SampledSpectrum Gain(uint32_t at) const { return gain[at]; }

@@ -8,7 +8,7 @@
 
 namespace pbrt {
 
-/// What a path takes from one vertex to the next, and what finding light must know of it.
+/// State that a path carries from one vertex to the next; the last two are for MIS weights.
 struct PathState {
     Ray ray;
     SampledSpectrum beta;
@@ -45,7 +45,7 @@ struct VertexNumbers {
     Point2fX16 direction;
     FloatX16 roulette;
 
-    /// Those that nobody reads are left out: `wanted`.
+    /// The numbers that are read: the others are not drawn.
     struct Wanted {
         bool light, lobe;
     };

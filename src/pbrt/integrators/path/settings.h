@@ -7,11 +7,11 @@
 
 namespace pbrt {
 
-/// Which of the two ways to find light a path uses. Both together is what renders; one alone is for
+/// The two ways in which a path finds light. The renderer uses both together; one alone is for
 /// tests and measurements: all three have the same mean (but for lights that one cannot find).
 enum class LightStrategy { Both, LightsOnly, BSDFOnly };
 
-/// What the path integrator is told, and what it makes of the scene's lights.
+/// Parameters of the path integrator, and the light sampler that it makes of the scene's lights.
 struct PathSettings {
     int maxDepth = 5;
     bool regularize = false;

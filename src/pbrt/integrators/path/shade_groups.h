@@ -21,7 +21,7 @@ struct ShadeGroup {
     bool oneLobe = false;  ///< reads no VertexNumbers::lobe; see MaterialTraits::oneLobe
 };
 
-/// Of all materials, made in shade_groups.cpp alone: nobody else compiles anew for a new material.
+/// Groups of all materials, made in shade_groups.cpp: the one file a new material compiles anew.
 std::span<const ShadeGroup> ShadeGroups();
 
 }  // namespace pbrt

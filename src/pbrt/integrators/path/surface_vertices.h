@@ -10,7 +10,7 @@ namespace pbrt {
 
 /// BSDFs as their materials make them; bench/sampling has one of its own, to compare with.
 struct DefaultScattering {
-    /// What BxDFPacket<BxDFAt<M>> is made of.
+    /// Input for one lane of BxDFPacket<BxDF<M>>.
     template <MaterialType M>
     static auto PacketInputAt(const M &material, const TextureEvalContext &ctx,
                               SampledWavelengths &lambda) {
@@ -218,11 +218,11 @@ class SurfaceVertices {
     }
 
     /// Russian roulette, from the second bounce on, where a path's importance falls below 2/3. At
-    /// 1, as is usual, a picture takes 4 % (hair) to 20 % less time, but has 1.2 (a mesh under a
+    /// 1, as is usual, an image takes 4 % (hair) to 20 % less time, but has 1.2 (a mesh under a
     /// sky) to 1.4 times the squared error; at 1/2 and below nothing more is gained.
     static constexpr float kSafeImportance = 2.f / 3;
     void RussianRoulette() {
-        // All at once: a branch for each path would often be foretold wrongly (2 % of a picture).
+        // All at once: a branch for each path would often be mispredicted (2 % of rendering time).
         const auto brightest =
             FloatX16::Generate([&](int i) { return path.beta[size_t(i)].MaxComponentValue(); });
         const FloatX16 importance = brightest * path.etaScale * (1 / kSafeImportance);

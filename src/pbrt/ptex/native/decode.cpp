@@ -11,7 +11,7 @@
 namespace pbrt {
 namespace {
 
-/// What a tiled block consists of.
+/// Parts of a tiled block.
 struct TileTable {
     int log2U, log2V;  ///< of a tile
     std::vector<PtexBlockHeader> headers;

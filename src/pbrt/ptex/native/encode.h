@@ -20,7 +20,7 @@ std::string Zip(const std::vector<T> &data) {
     return Zip(data.data(), data.size() * sizeof(T));
 }
 
-/// What a file holds of one level.
+/// One level as a file holds it.
 struct PtexLevel {
     std::vector<PtexBlockHeader> headers;
     std::string blocks;

@@ -61,7 +61,7 @@ struct PtexBlockHeader {
 };
 static_assert(sizeof(PtexBlockHeader) == 4);
 
-/// What precedes the tiles of a tiled face.
+/// Bytes that precede the tiles of a tiled face.
 constexpr size_t kPtexTileHeaderSize = 6;  ///< i8 log2 tile u, i8 log2 tile v, u32 zipped size
 
 /// Level l > 0 holds the faces of rank at least l + kPtexLeastLog2. Rank: log2 of the shorter
