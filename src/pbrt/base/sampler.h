@@ -15,6 +15,10 @@ namespace pbrt {
 
 class ParamDict;
 
+/// The draw that is the place in the pixel: samplers that lay one sequence over the whole image
+/// give it the dimensions by which they count the pixels (the camera's draws: camera_sample.h).
+inline constexpr int kFilmDimension = 1;
+
 /// Arguments of a sampler besides its own parameters.
 struct SamplerContext {
     std::optional<int> spp;  ///< from the command line, > 0; comes before the file's

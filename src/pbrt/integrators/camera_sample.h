@@ -1,5 +1,6 @@
 #pragma once
 
+#include "pbrt/base/sampler.h"
 #include "pbrt/build/render_scene.h"
 
 namespace pbrt {
@@ -8,6 +9,7 @@ namespace pbrt {
 struct CameraDimensions {
     enum { kWavelength, kFilm, kTime, kLens, kEnd };
 };
+static_assert(CameraDimensions::kFilm == kFilmDimension);
 
 /// A sample of the image: where and when its camera ray starts, and in which wavelengths.
 struct CameraSample {

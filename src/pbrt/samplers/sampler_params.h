@@ -5,12 +5,11 @@
 
 namespace pbrt {
 
-/// Limit of every sampler but `stratified`, which has 2^20.
+/// Limit of every sampler that has none of its own.
 inline constexpr int kMaxSamplesPerPixel = 1 << 24;
 
-constexpr IntParam PixelSamples(int def) {
-    return {"pixelsamples", def, 1, kMaxSamplesPerPixel,
-            "samples per pixel, unless --spp is given"};
+constexpr IntParam PixelSamples(int def, int max = kMaxSamplesPerPixel) {
+    return {"pixelsamples", def, 1, max, "samples per pixel, unless --spp is given"};
 }
 inline constexpr IntParam kSeed{"seed", 0, kLeastInt, kMostInt,
                                 "of the random numbers; not given: that of Option or --seed"};
@@ -20,6 +19,15 @@ inline int ReadSamples(ParamDict &params, int def, const SamplerContext &context
     const int written = params.GetOneInt(PixelSamples(def));
     return context.spp.value_or(written);
 }
+
+/// The same for the sampler `name` with a limit of its own; more on the command line is an error,
+/// and the file's number is taken.
+int ReadLimitedSamples(ParamDict &params, int def, int max, std::string_view name,
+                       const SamplerContext &context);
+/// Warns where the number of samples is no power of two, or of four, which the sampler `name` is
+/// best with.
+void AdvisePowerOfTwo(ParamDict &params, int samples, std::string_view name);
+void AdvisePowerOfFour(ParamDict &params, int samples, std::string_view name);
 
 /// `seed`, or the command line's.
 inline int ReadSeed(ParamDict &params, const SamplerContext &context) {

@@ -12,10 +12,6 @@ constexpr IntParam kXSamples{"xsamples", 4, 1, kMaxStrata, "cells of a pixel acr
 constexpr IntParam kYSamples{"ysamples", 4, 1, kMaxStrata, "cells of a pixel down"};
 constexpr BoolParam kJitter{"jitter", true,
                             "samples lie anywhere in their cells, not in the middle"};
-constexpr std::array<std::string_view, 4> kRandomizations{"none", "permutedigits", "owen",
-                                                          "fastowen"};
-constexpr ChoiceParam kRandomization{"randomization", kRandomizations[3], kRandomizations,
-                                     "what is done to the digits of the Sobol' points"};
 
 /// The two factors of n that are nearest to each other, the larger first.
 Point2i NearlySquare(int n) {

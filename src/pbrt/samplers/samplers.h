@@ -2,7 +2,9 @@
 
 #include <optional>
 
+#include "pbrt/samplers/halton.h"
 #include "pbrt/samplers/independent.h"
+#include "pbrt/samplers/padded_sobol.h"
 #include "pbrt/samplers/sampler_params.h"
 #include "pbrt/samplers/stratified.h"
 #include "pbrt/samplers/zsobol.h"
@@ -11,7 +13,8 @@
 namespace pbrt {
 
 /// The one list of samplers. Parser, messages and tests follow from it.
-using SamplerTypes = TypeList<ZSobolSampler, IndependentSampler, StratifiedSampler>;
+using SamplerTypes = TypeList<ZSobolSampler, IndependentSampler, StratifiedSampler, HaltonSampler,
+                              PaddedSobolSampler>;
 using Sampler = SamplerTypes::Variant;
 
 template <SamplerType S>

@@ -8,13 +8,10 @@
 #include "pbrt/samplers/dimension_block.h"
 #include "pbrt/samplers/permutation.h"
 #include "pbrt/samplers/pixel_table.h"
-#include "pbrt/samplers/sobol.h"
+#include "pbrt/samplers/randomization.h"
 #include "pbrt/util/check.h"
 
 namespace pbrt {
-
-/// Randomisation of the digits of the Sobol' points, with keys that depend on seed and dimension.
-enum class Randomization { None, PermuteDigits, Owen, FastOwen };
 
 /// Screen-space blue noise by one (0,2)-sequence along a randomised Z-order curve of pixels (Ahmed
 /// and Wonka 2020, "Screen-Space Blue-Noise Diffusion of Monte Carlo Sampling Error via
@@ -162,23 +159,14 @@ Point2fX16 ZSobolSampler::Numbers(const PixelPlace &place, const DimensionKeys &
                                   UintX16 sampleIndex, Scramble scramble) const {
     const UintX16 point = place.firstPoint | BitPermutation(log2Samples)(sampleIndex, place.order);
     // The sixth step of the butterfly folds the point's upper 32 bits onto the lower.
-    return {ToUnitFloat(ReverseBits32(scramble(point, keys.x))),
-            ToUnitFloat(ReverseBits32(scramble(SobolYReversed(point ^ place.carry), keys.y)))};
+    return PairOfReversed(scramble(point, keys.x),
+                          scramble(SobolYReversed(point ^ place.carry), keys.y));
 }
 
 inline Point2fX16 ZSobolSampler::Numbers(const PixelPlace &place, const DimensionKeys &keys,
                                          UintX16 sampleIndex) const {
-    const auto numbers = [&](auto scramble) { return Numbers(place, keys, sampleIndex, scramble); };
-    switch (randomization) {
-        case Randomization::None:
-            return numbers([](UintX16 v, UintX16) { return v; });
-        case Randomization::PermuteDigits:
-            return numbers([](UintX16 v, UintX16 key) { return v ^ key; });
-        case Randomization::Owen:
-            return numbers([](UintX16 v, UintX16 key) { return OwenReversed(v, key); });
-        default:
-            return numbers([](UintX16 v, UintX16 key) { return FastOwenReversed(v, key); });
-    }
+    return WithScramble(randomization,
+                        [&](auto scramble) { return Numbers(place, keys, sampleIndex, scramble); });
 }
 
 inline void ZSobolSampler::FillNumbers(int first) {
