@@ -49,6 +49,7 @@ inline void AddSamplers(Stopwatch &watch) {
     AddSampler(watch, "stratified pair", StratifiedSampler(8, 8));
     AddSampler(watch, "independent pair", IndependentSampler(64));
     AddSampler(watch, "halton pair", HaltonSampler(64, {400, 400}));
+    AddSampler(watch, "sobol pair", SobolSampler(64, {400, 400}));
     AddSampler(watch, "paddedsobol pair", PaddedSobolSampler(64));
 }
 

@@ -34,4 +34,14 @@ void AdvisePowerOfFour(ParamDict &params, int samples, std::string_view name) {
     if (!isFours) Advise(params, samples, name, "four");
 }
 
+Point2i LimitedResolution(ParamDict &params, std::string_view name, const SamplerContext &context) {
+    constexpr int kMax = 1 << 16;
+    const Point2i resolution = context.fullResolution;
+    const int side = std::max(resolution.x, resolution.y);
+    if (side <= kMax) return resolution;
+    params.Error(fmt::format("{} takes pictures of up to {} pixels a side, this one has {}", name,
+                             kMax, side));
+    return {1, 1};
+}
+
 }  // namespace pbrt

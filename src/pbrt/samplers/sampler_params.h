@@ -29,6 +29,10 @@ int ReadLimitedSamples(ParamDict &params, int def, int max, std::string_view nam
 void AdvisePowerOfTwo(ParamDict &params, int samples, std::string_view name);
 void AdvisePowerOfFour(ParamDict &params, int samples, std::string_view name);
 
+/// The image's resolution for the sampler `name`, which takes up to 2^16 pixels a side; beyond them
+/// one pixel, and an error.
+Point2i LimitedResolution(ParamDict &params, std::string_view name, const SamplerContext &context);
+
 /// `seed`, or the command line's.
 inline int ReadSeed(ParamDict &params, const SamplerContext &context) {
     IntParam row = kSeed;

@@ -6,7 +6,6 @@ namespace pbrt {
 namespace {
 
 constexpr int kMaxStrata = 1 << 10;
-constexpr int kMaxZSobolResolution = 1 << 16;
 
 constexpr IntParam kXSamples{"xsamples", 4, 1, kMaxStrata, "cells of a pixel across"};
 constexpr IntParam kYSamples{"ysamples", 4, 1, kMaxStrata, "cells of a pixel down"};
@@ -48,13 +47,8 @@ ZSobolSampler ZSobolSampler::Create(ParamDict &params, const SamplerContext &con
                                    used, asked));
     }
     const int randomization = params.GetOneChoice(kRandomization);
-    Point2i resolution = context.fullResolution;
-    if (std::max(resolution.x, resolution.y) > kMaxZSobolResolution) {
-        params.Error(fmt::format("zsobol takes pictures of up to {} pixels a side, this one has {}",
-                                 kMaxZSobolResolution, std::max(resolution.x, resolution.y)));
-        resolution = {1, 1};
-    }
-    return ZSobolSampler(used, resolution, Randomization(randomization), ReadSeed(params, context));
+    return ZSobolSampler(used, LimitedResolution(params, kName, context),
+                         Randomization(randomization), ReadSeed(params, context));
 }
 
 std::optional<Sampler> CreateSampler(ParamDict &params, std::string_view type,

@@ -6,6 +6,7 @@
 #include "pbrt/samplers/independent.h"
 #include "pbrt/samplers/padded_sobol.h"
 #include "pbrt/samplers/sampler_params.h"
+#include "pbrt/samplers/sobol_sampler.h"
 #include "pbrt/samplers/stratified.h"
 #include "pbrt/samplers/zsobol.h"
 #include "pbrt/util/type_list.h"
@@ -14,7 +15,7 @@ namespace pbrt {
 
 /// The one list of samplers. Parser, messages and tests follow from it.
 using SamplerTypes = TypeList<ZSobolSampler, IndependentSampler, StratifiedSampler, HaltonSampler,
-                              PaddedSobolSampler>;
+                              SobolSampler, PaddedSobolSampler>;
 using Sampler = SamplerTypes::Variant;
 
 template <SamplerType S>
