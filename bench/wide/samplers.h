@@ -51,6 +51,7 @@ inline void AddSamplers(Stopwatch &watch) {
     AddSampler(watch, "halton pair", HaltonSampler(64, {400, 400}));
     AddSampler(watch, "sobol pair", SobolSampler(64, {400, 400}));
     AddSampler(watch, "paddedsobol pair", PaddedSobolSampler(64));
+    AddSampler(watch, "pmj02bn pair", PMJ02BNSampler(64));
 }
 
 }  // namespace pbrt::bench

@@ -100,7 +100,8 @@ TEST(Sampler, PairsAreUniformWithinAndAcrossDimensions) {
             double chi2 = 0;
             for (int c : bins)
                 chi2 += Sqr(c - n / 64.0) / (n / 64.0);
-            EXPECT_LT(chi2, bound) << "sampler " << sampler.index() << " place " << (&bins - counts.data());
+            EXPECT_LT(chi2, bound)
+                << "sampler " << sampler.index() << " place " << (&bins - counts.data());
         }
     }
 }

@@ -63,7 +63,8 @@ float Truncated(float u) {
     return std::floor(u * 4096) / 4096;
 }
 
-/// The whole square's points, in units of the square, are a net, whatever their digits in the pixel.
+/// The whole square's points, in units of the square, are a net, whatever their digits in the
+/// pixel.
 TEST(SobolSampler, FilmIsANetOfTheWholeImage) {
     for (Randomization randomization : kAllRandomizations) {
         for (int side : {1, 2, 8, 32}) {

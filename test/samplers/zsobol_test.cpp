@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "pbrt/samplers/independent.h"
+#include "samplers/errors.h"
 #include "samplers/nets.h"
 
 namespace pbrt {
@@ -60,48 +61,6 @@ TEST(ZSobolSampler, LongIndicesKeepTheNets) {
     EXPECT_TRUE(IsNet(Points(sampler, {65535, 65535}, 1, 4)));
     ZSobolSampler coarse(16, {65536, 65536}, Randomization::FastOwen, 1);
     EXPECT_TRUE(IsNet(Points(coarse, {40000, 60000}, 8, 4)));
-}
-
-double Smooth(Point2f p) {
-    return p.x * p.y * p.y - 1.0 / 6;
-}
-double Edge(Point2f p) {
-    return (p.x * p.x + p.y * p.y < 0.5f ? 1 : 0) - 3.14159265358979 / 8;
-}
-
-/// Each pixel's mean of a function whose integral is 0.
-template <typename S>
-std::vector<double> Errors(S sampler, int side, int dimension, double (*f)(Point2f)) {
-    std::vector<double> errors;
-    for (int y = 0; y < side; ++y) {
-        for (int x = 0; x < side; ++x) {
-            double sum = 0;
-            for (int i = 0; i < sampler.SamplesPerPixel(); ++i) {
-                sampler.StartPixelSample({x, y}, i, dimension);
-                sum += f(sampler.Get2D());
-            }
-            errors.push_back(sum / sampler.SamplesPerPixel());
-        }
-    }
-    return errors;
-}
-
-/// Variance of the means of blocks of 4 x 4 pixels, relative to what errors without correlation
-/// would have: 1 is white noise, 0 has no low frequencies.
-double LowFrequencies(const std::vector<double> &errors, int side, Point2i shift) {
-    double blocks = 0, pixels = 0;
-    int nBlocks = 0;
-    for (int by = shift.y; by + 4 <= side; by += 4) {
-        for (int bx = shift.x; bx + 4 <= side; bx += 4, ++nBlocks) {
-            double sum = 0;
-            for (int k = 0; k < 16; ++k)
-                sum += errors[size_t((by + k / 4) * side + bx + k % 4)];
-            blocks += Sqr(sum / 16);
-        }
-    }
-    for (double e : errors)
-        pixels += e * e;
-    return blocks / nBlocks / (pixels / double(errors.size())) * 16;
 }
 
 /// Nets integrate n points of an edge with variance n^-3/2, smooth functions with n^-3. So among

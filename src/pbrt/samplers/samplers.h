@@ -5,6 +5,7 @@
 #include "pbrt/samplers/halton.h"
 #include "pbrt/samplers/independent.h"
 #include "pbrt/samplers/padded_sobol.h"
+#include "pbrt/samplers/pmj02bn.h"
 #include "pbrt/samplers/sampler_params.h"
 #include "pbrt/samplers/sobol_sampler.h"
 #include "pbrt/samplers/stratified.h"
@@ -15,7 +16,7 @@ namespace pbrt {
 
 /// The one list of samplers. Parser, messages and tests follow from it.
 using SamplerTypes = TypeList<ZSobolSampler, IndependentSampler, StratifiedSampler, HaltonSampler,
-                              SobolSampler, PaddedSobolSampler>;
+                              SobolSampler, PaddedSobolSampler, PMJ02BNSampler>;
 using Sampler = SamplerTypes::Variant;
 
 template <SamplerType S>
