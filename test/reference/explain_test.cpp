@@ -40,7 +40,8 @@ TEST(Explain, APlugInIsATable) {
 }
 
 TEST(Explain, AFamilyIsAListOfNames) {
-    EXPECT_EQ(Explain("sampler").text, "zsobol\nindependent\nstratified\n");
+    EXPECT_EQ(Explain("sampler").text,
+              "zsobol\nindependent\nstratified\nhalton\nsobol\npaddedsobol\npmj02bn\n");
     EXPECT_EQ(Explain("area light").text, "diffuse\n");
 }
 

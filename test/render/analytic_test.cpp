@@ -68,7 +68,10 @@ INSTANTIATE_TEST_SUITE_P(
             "\"stratified\" \"integer xsamples\" 16 \"integer ysamples\" 16",
             "\"zsobol\" \"integer pixelsamples\" 256",
             "\"zsobol\" \"integer pixelsamples\" 256 \"string randomization\" \"owen\"",
-            "\"zsobol\" \"integer pixelsamples\" 256 \"string randomization\" \"permutedigits\"")),
+            "\"zsobol\" \"integer pixelsamples\" 256 \"string randomization\" \"permutedigits\"",
+            "\"halton\" \"integer pixelsamples\" 256", "\"sobol\" \"integer pixelsamples\" 256",
+            "\"paddedsobol\" \"integer pixelsamples\" 256",
+            "\"pmj02bn\" \"integer pixelsamples\" 256")),
     [](const auto &info) {
         std::string name = Scenes()[std::get<0>(info.param)].name + std::get<1>(info.param) +
                            std::get<2>(info.param) + std::to_string(info.index);

@@ -41,8 +41,8 @@ std::string RandomScene(int number, Point2i resolution, const std::string &film,
         "Shape \"trianglemesh\" \"point3 P\" [ -3 0 -3 3 0 -3 -3 0 3 3 0 3 ] \"integer indices\" "
         "[ 0 1 3 0 3 2 ]\n",
         in(-2, 2), pick({"rgb", "gbuffer", "spectral"}), resolution.x, resolution.y, film,
-        pick({"zsobol", "independent"}), fmt::format("\"integer pixelsamples\" {}", spp),
-        integrator);
+        pick({"zsobol", "independent", "halton", "sobol", "paddedsobol", "pmj02bn"}),
+        fmt::format("\"integer pixelsamples\" {}", spp), integrator);
     for (int i = 0; i < 6; ++i)
         text += fmt::format(
             "AttributeBegin {} Translate {} {} {} Shape \"sphere\" \"float radius\" {} "

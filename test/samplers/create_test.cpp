@@ -45,7 +45,8 @@ float FirstNumber(const Created &c) {
 TEST(CreateSampler, PbrtsDefaults) {
     EXPECT_EQ(SamplesPerPixel(Create("independent")), 4);
     EXPECT_EQ(SamplesPerPixel(Create("stratified")), 16);
-    EXPECT_EQ(SamplesPerPixel(Create("zsobol")), 16);
+    for (const char *type : {"zsobol", "halton", "sobol", "paddedsobol", "pmj02bn"})
+        EXPECT_EQ(SamplesPerPixel(Create(type)), 16) << type;
 }
 
 TEST(CreateSampler, CommandLineSppComesFirst) {
@@ -56,7 +57,8 @@ TEST(CreateSampler, CommandLineSppComesFirst) {
 }
 
 TEST(CreateSampler, SeedOfTheFileComesFirst) {
-    for (const char *type : {"independent", "stratified", "zsobol"}) {
+    for (const char *type :
+         {"independent", "stratified", "zsobol", "halton", "sobol", "paddedsobol", "pmj02bn"}) {
         const float def = FirstNumber(Create(type));
         EXPECT_NE(FirstNumber(Create(type, {}, {}, 5)), def);
         EXPECT_EQ(FirstNumber(Create(type, {Integer("seed", 5)})),
@@ -74,14 +76,44 @@ TEST(CreateSampler, ZSobolWarnsOfTruncation) {
               std::string::npos);
 }
 
-TEST(CreateSampler, EachRandomizationGivesOtherNumbers) {
-    std::vector<float> numbers;
-    for (const char *name : {"none", "permutedigits", "owen", "fastowen"}) {
-        const Created created = Create("zsobol", {String("randomization", name)});
+/// Other numbers of samples than the best are taken as they are.
+TEST(CreateSampler, OthersAdviseAgainstOddNumbersOfSamples) {
+    const auto advice = [](const char *type, int samples) {
+        const Created created = Create(type, {Integer("pixelsamples", samples)});
+        EXPECT_EQ(SamplesPerPixel(created), samples);
         EXPECT_FALSE(created.log.HasErrors());
-        for (float other : numbers)
-            EXPECT_NE(FirstNumber(created), other);
-        numbers.push_back(FirstNumber(created));
+        return created.log.Messages().empty() ? "" : created.log.Messages()[0].text;
+    };
+    for (const char *type : {"sobol", "paddedsobol"}) {
+        EXPECT_EQ(advice(type, 32), "");
+        EXPECT_NE(advice(type, 100).find("a power of two, which 100 is not"), std::string::npos);
+    }
+    EXPECT_EQ(advice("pmj02bn", 64), "");
+    EXPECT_NE(advice("pmj02bn", 32).find("a power of four, which 32 is not"), std::string::npos);
+    EXPECT_EQ(advice("halton", 100), "");
+    EXPECT_EQ(SamplesPerPixel(Create("sobol", {}, 1)), 1);
+}
+
+TEST(CreateSampler, SamplesBeyondALimitAreErrors) {
+    for (const char *type : {"halton", "pmj02bn"}) {
+        EXPECT_FALSE(Create(type, {Integer("pixelsamples", 65536)}).log.HasErrors());
+        EXPECT_TRUE(Create(type, {Integer("pixelsamples", 65537)}).log.HasErrors());
+        EXPECT_TRUE(Create(type, {}, 65537).log.HasErrors());
+    }
+}
+
+TEST(CreateSampler, EachRandomizationGivesOtherNumbers) {
+    for (const char *type : {"zsobol", "sobol", "paddedsobol", "halton"}) {
+        std::vector<float> numbers;
+        for (const char *name : {"none", "permutedigits", "owen", "fastowen"}) {
+            const Created created = Create(type, {String("randomization", name)});
+            const bool known = std::string_view(type) != "halton" || numbers.size() < 3;
+            EXPECT_EQ(created.log.HasErrors(), !known) << type << " " << name;
+            if (!known) continue;
+            for (float other : numbers)
+                EXPECT_NE(FirstNumber(created), other) << type << " " << name;
+            numbers.push_back(FirstNumber(created));
+        }
     }
 }
 

@@ -8,13 +8,13 @@ namespace pbrt {
 namespace {
 
 TEST(Upstream, IsNamedInMessages) {
-    const std::string_view known[] = {"zsobol", "halt"};
-    EXPECT_EQ(UnknownName("sampler", "halton", known),
-              "unknown sampler \"halton\"; pbrt-v4 has it, not built here; use \"zsobol\". Known: "
-              "\"zsobol\" or \"halt\"");
-    EXPECT_EQ(UnknownName("sampler", "halten", known),
-              "unknown sampler \"halten\"; did you mean \"halt\"? Known: \"zsobol\" or \"halt\"");
-    EXPECT_EQ(PbrtHasIt("light", "halton"), "");
+    const std::string_view known[] = {"path", "sppn"};
+    EXPECT_EQ(UnknownName("integrator", "sppm", known),
+              "unknown integrator \"sppm\"; pbrt-v4 has it, not built here; use \"path\". Known: "
+              "\"path\" or \"sppn\"");
+    EXPECT_EQ(UnknownName("integrator", "spbn", known),
+              "unknown integrator \"spbn\"; did you mean \"sppn\"? Known: \"path\" or \"sppn\"");
+    EXPECT_EQ(PbrtHasIt("light", "sppm"), "");
 }
 
 TEST(Upstream, EveryNameStandsOnce) {

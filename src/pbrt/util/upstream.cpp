@@ -9,10 +9,6 @@ namespace {
 constexpr std::array kNames{
     UpstreamName{"camera", "realistic", "perspective"},
     UpstreamName{"camera", "spherical", ""},
-    UpstreamName{"sampler", "halton", "zsobol"},
-    UpstreamName{"sampler", "paddedsobol", "zsobol"},
-    UpstreamName{"sampler", "pmj02bn", "zsobol"},
-    UpstreamName{"sampler", "sobol", "zsobol"},
     UpstreamName{"integrator", "bdpt", "path"},
     UpstreamName{"integrator", "function", ""},
     UpstreamName{"integrator", "lightpath", "path"},
