@@ -14,13 +14,13 @@
 namespace pbrt {
 
 /// Progressive multi-jittered (0,2)-samples with blue noise between the pixels (Christensen,
-/// Kensler and Kilpatrick 2018). Pairs of a draw are the first points of a (0,2)-sequence under
-/// nested uniform scrambling, one sequence for each draw: these have each property of the pmj02
-/// sets and the same distribution (Helmer, Christensen and Kensler 2021, "Stochastic Generation of
-/// (t, s) Sample Sequences"), so no table of sets is kept. Where pbrt-v4 moves a set by the pixel's
-/// blue noise on the torus, here the blue noise's digits are added to those of the samples without
-/// carry, which keeps every draw of a pixel a net. Single numbers are the n intervals' points at
-/// the pixel's blue noise, one in each.
+/// Kensler and Kilpatrick 2018). A draw's pairs are the first points of a (0,2)-sequence under
+/// nested uniform scrambling, one scrambling for each draw: whatever defines pmj02 sets, one point
+/// in each elementary interval of each first 2^k, holds for these (Helmer, Christensen and Kensler
+/// 2021, "Stochastic Generation of (t, s) Sample Sequences"), so no tables of sets are kept. Where
+/// pbrt-v4 moves a set on the torus by the pixel's blue noise, here the digits of the blue noise
+/// are added to those of the samples without carry, which keeps every draw of a pixel a net. Single
+/// numbers lie one in each of n intervals, where the pixel's blue noise says.
 ///
 /// The film's samples come in the sequence's order, so that their first 2^k are a net for each k;
 /// the others in a random order for each pixel and draw, without which draws depend on each other
@@ -91,7 +91,7 @@ class PMJ02BNSampler {
     U Shift(const Pixel<U> &p, uint32_t key, const U &random) const {
         constexpr uint32_t kX = BlueNoise::kSide - 1, kY = kX << BlueNoise::kLog2Side;
         const U move = Mix32(U((p.place >> BlueNoise::kBits) + key));
-        const U x = (p.place + move) & kX, y = (p.place + (move >> 16)) & kY;
+        const U x = (p.place + move) & kX, y = ((p.place & kY) + ((move >> 16) & kY)) & kY;
         return Noise(U(x | y)) | (random << BlueNoise::kBits);
     }
     /// Key of a draw in all pixels.
