@@ -49,7 +49,7 @@ double GapOf(Vector3f w) {
 
 TEST(Gaps, PointLightThroughTwoLayers) {
     // Camera rays must not cross the layers: they stand beside the view, between floor and light.
-    const std::string layers = std::string(kVane) + "\n" + Layer(-7) + Layer(-8);
+    const std::string layers = fmt::format("{}\n{}{}", kVane, Layer(-7), Layer(-8));
     const auto seen = [&](const std::string &between) {
         // Depth 1: direct light of the floor only; the camera sees the floor through both layers.
         return Mean(RenderText(Scene(LitFloor(between), 1, 64)))[1];

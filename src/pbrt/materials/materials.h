@@ -4,6 +4,7 @@
 
 #include "pbrt/bxdfs/bxdf_packet.h"
 #include "pbrt/materials/bump_map.h"
+#include "pbrt/materials/coated_conductor.h"
 #include "pbrt/materials/coated_diffuse.h"
 #include "pbrt/materials/conductor.h"
 #include "pbrt/materials/dielectric.h"
@@ -26,9 +27,10 @@ struct InterfaceMaterial {
 
 /// The one list of materials that scatter; a mix chooses one of them first. Parser, messages,
 /// renderer, bsdftool and the tests follow from it. At most 127 types.
-using MaterialTypes = TypeList<DiffuseMaterial, ConductorMaterial, DielectricMaterial,
-                               FeatherBarbuleMaterial, HairMaterial, DiffuseTransmissionMaterial,
-                               CoatedDiffuseMaterial, ThinDielectricMaterial>;
+using MaterialTypes =
+    TypeList<DiffuseMaterial, ConductorMaterial, DielectricMaterial, FeatherBarbuleMaterial,
+             HairMaterial, DiffuseTransmissionMaterial, CoatedDiffuseMaterial,
+             ThinDielectricMaterial, CoatedConductorMaterial>;
 
 /// One of MaterialTypes. A class, so that others can name it without the list.
 class Material : public MaterialTypes::Variant {
