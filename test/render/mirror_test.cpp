@@ -78,7 +78,7 @@ constexpr char kPoints[] = "1 -.5 0 .3 1 0 -.3 -1 0 -1 .5 0";
 std::string Curve(std::string_view type, const std::string &more = "",
                   std::string_view points = kPoints) {
     return fmt::format(
-        "Shape \"curve\" \"string type\" \"{}\" \"point3 P\" [ {} ] \"float width\" .7 {}\n", type,
+        "Shape \"curve\" \"string type\" \"{}\" \"point3 P\" [ {} ] \"float width\" .5 {}\n", type,
         points, more);
 }
 const std::string kRibbon = Curve("ribbon", "\"normal N\" [ .3 0 1  -.1 .4 1 ]");
