@@ -66,9 +66,8 @@ TEST(HaltonSampler, IsTheHaltonSequence) {
     EXPECT_EQ(indices.size(), 70u * spp);
 }
 
-/// All elementary intervals of the image in the bases 2 and 3: boxes of 2^-a by 3^-b hold one of
-/// 2^a 3^b successive points each, so as many as there are samples in 2^a <= columns 2^s and
-/// 3^b <= rows 3^t where the samples of a pixel are 2^s 3^t.
+/// Boxes of the image, 2^-a wide and 3^-b high, hold one each of the first 2^a 3^b points, here all
+/// of them: 2^a = columns 2^s and 3^b = rows 3^t for 2^s 3^t samples per pixel.
 TEST(HaltonSampler, ElementaryIntervals) {
     const int columns = 8, rows = 9;
     for (HaltonRandomization randomization : kAllRandomizations) {

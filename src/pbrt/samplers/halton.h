@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <memory>
@@ -9,6 +10,7 @@
 #include "pbrt/samplers/padded_sobol.h"
 #include "pbrt/samplers/pixel_table.h"
 #include "pbrt/samplers/radical_inverse.h"
+#include "pbrt/samplers/randomization.h"
 #include "pbrt/samplers/sampler_params.h"
 #include "pbrt/util/check.h"
 

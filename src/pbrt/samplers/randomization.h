@@ -5,6 +5,7 @@
 
 #include "pbrt/samplers/sobol.h"
 #include "pbrt/scene/param_row.h"
+#include "pbrt/util/vecmath_simd.h"
 
 namespace pbrt {
 

@@ -1,5 +1,6 @@
 #include "pbrt/samplers/sampler_params.h"
 
+#include <algorithm>
 #include <bit>
 
 #include <fmt/format.h>

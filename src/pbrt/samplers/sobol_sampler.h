@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <span>
@@ -18,9 +19,9 @@ namespace pbrt {
 /// 2^m pixels a side, which holds the image. Each run of 4^m points has one in each pixel, so
 /// sample k of a pixel is one of run k; which one follows from the pixel (Gruenschlos, Raab and
 /// Keller 2012, "Enumerating Quasi-Monte Carlo Point Sequences in Elementary Intervals"). The draw
-/// of the film takes the two digits after those m, randomised anew in each column and each row;
-/// each other draw the next two dimensions. Draws beyond the 256 dimensions are those of
-/// `paddedsobol`.
+/// of the film takes the digits of both coordinates after the first m, which choose the pixel,
+/// randomised anew in each column and each row; each other draw takes the next two dimensions.
+/// Draws beyond the 256 dimensions are those of `paddedsobol`.
 class SobolSampler {
   public:
     static constexpr std::string_view kName = "sobol";
