@@ -80,8 +80,8 @@ inline PaddedSobolSampler PaddedSobolSampler::Create(ParamDict &params,
                                                      const SamplerContext &context) {
     const int samples = ReadSamples(params, 16, context);
     AdvisePowerOfTwo(params, samples, kName);
-    return PaddedSobolSampler(samples, Randomization(params.GetOneChoice(kRandomization)),
-                              ReadSeed(params, context));
+    const auto randomization = Randomization(params.GetOneChoice(kRandomization));
+    return PaddedSobolSampler(samples, randomization, ReadSeed(params, context));
 }
 
 }  // namespace pbrt

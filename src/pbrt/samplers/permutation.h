@@ -37,9 +37,9 @@ class BitPermutation {
     int shift;
 };
 
-/// A random permutation of {0, ..., n - 1}, 1 <= n <= 2^20: a bijection of the next power of two,
+/// A random permutation of {0, ..., n - 1}, 1 <= n <= 2^24: a bijection of the next power of two,
 /// repeated until it hits the set ("cycle walking", Black and Rogaway 2002), and a rotation, which
-/// makes each place exactly as likely. U: uint32_t or UintX16.
+/// makes each place as likely, up to 2^20 to within a sixteenth. U: uint32_t or UintX16.
 class Permutation {
   public:
     explicit Permutation(uint32_t n) : n(n), bits(std::bit_width(n - 1)) {}
