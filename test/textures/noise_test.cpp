@@ -96,14 +96,14 @@ TEST(NoiseTextures, LieInTextureSpace) {
         "that as \"texture scale\" of a spectrum texture of class \"scale\"\n");
 }
 
-TEST(Dots, AreRoundInHalfOfTheCells) {
+TEST(Dots, AreRoundInAThirdOfTheCells) {
     const TextureScene scene(R"(
         Texture "d" "float" "dots" "float uscale" 2 "float inside" 5 "float outside" 3)");
     const auto at = [&](float s, float t) {
         return scene.Float("d").Evaluate(AtUV(s / 2, t)) == 5;
     };
     int dots = 0;
-    constexpr int kCells = 40, kSteps = 100;
+    constexpr int kCells = 25, kSteps = 50;
     for (int i = 0; i < kCells; ++i)
         for (int j = 0; j < kCells; ++j) {
             // Area and centroid of what is inside in the cell.
@@ -121,11 +121,13 @@ TEST(Dots, AreRoundInHalfOfTheCells) {
                 }
             if (n == 0) continue;
             ++dots;
-            EXPECT_NEAR(double(n) / (kSteps * kSteps), M_PI * 0.35 * 0.35, 0.01);
-            EXPECT_NEAR(farthest, 0.35, 0.015);
+            EXPECT_NEAR(double(n) / (kSteps * kSteps), M_PI * 0.35 * 0.35, 0.02);
+            EXPECT_NEAR(farthest, 0.35, 0.03);
         }
-    // Half by the noise's symmetry; the middles of neighbours share corners: 8 sigma.
-    EXPECT_NEAR(dots, kCells * kCells / 2, 8 * kCells / 2);
+    // Noise in the middle between lattice points is as often above 0 as below, and often 0: there
+    // it is a sum of few multiples of 1/16.
+    EXPECT_GT(dots, kCells * kCells * 0.3);
+    EXPECT_LT(dots, kCells * kCells * 0.45);
 }
 
 TEST(DirectionMix, GoesByTheCosine) {

@@ -10,6 +10,7 @@
 #include "pbrt/shapes/curve.h"
 #include "pbrt/shapes/cylinder.h"
 #include "pbrt/shapes/disk.h"
+#include "pbrt/shapes/loop_subdiv.h"
 #include "pbrt/shapes/ply_mesh.h"
 #include "pbrt/shapes/sphere.h"
 #include "pbrt/shapes/triangle_mesh.h"
@@ -23,8 +24,8 @@ using Shape = ShapeTypes::Variant;
 
 static_assert(ShapeTypes::All([]<typename S>() { return ShapeContract<S>::value; }));
 
-/// Types that a `Shape` directive may name: the shapes, and files of them.
-using ShapeDirectives = ShapeTypes::Append<PlyFile>;
+/// Types that a `Shape` directive may name: the shapes, and what becomes shapes.
+using ShapeDirectives = ShapeTypes::Append<LoopSubdivision, PlyFile>;
 
 /// Makes the shapes one directive describes: usually one; a PLY file with triangles and quads makes
 /// two. Empty after an error (which is in the log). Parameters that no one read are errors, but

@@ -4,13 +4,13 @@
 
 namespace pbrt {
 
-/// Round dots of `inside` on `outside`: every second cell, a unit square about whole s and t, has
-/// one, of radius 0.35, moved at random within the cell. Not filtered. pbrt-v4 (commit 5f7a606)
-/// swaps the two parameters; here they mean what they say.
+/// Round dots of `inside` on `outside`: of the unit squares about whole s and t more than a third
+/// have one, of radius 0.35, moved at random within the square. Not filtered. pbrt-v4 (commit
+/// 5f7a606) swaps the two parameters; here they mean what they say.
 struct DotsTexture {
     static constexpr std::string_view kName = "dots";
-    static constexpr std::array<std::string_view, 2> kExamples{
-        "", "\"string mapping\" \"spherical\" \"float inside\" 0.25"};
+    static constexpr std::array<std::string_view, 2> kExamples{"",
+                                                               "\"string mapping\" \"spherical\""};
     static FloatTexture CreateFloat(TextureBuilder &builder);
     static SpectrumByRole CreateSpectrum(TextureBuilder &builder);
 };
