@@ -76,6 +76,10 @@ LightPicture::LightPicture(const Emission &emission, float scale)
 std::optional<Image> ReadLightPicture(ParamDict &params, const StringParam &row,
                                       const PictureNeeds &needs) {
     const std::string file = params.GetFileName(row);
+    if (file.empty()) {
+        params.Error(fmt::format("{} needs \"string {}\", a picture", params.What(), row.name));
+        return std::nullopt;
+    }
     OrError<Image> image = ReadImage(file);
     std::string unfit = image ? Unfit(*image.value, needs) : std::string();
     if (image && unfit.empty())

@@ -16,18 +16,21 @@ Point2f HalfSides(Point2i resolution, float fov) {
     return aspect > 1 ? Point2f{shorter * aspect, shorter} : Point2f{shorter, shorter / aspect};
 }
 
-/// The integral of luminance over solid angle: texels in the plane z = 1, each at its middle.
-float Flux(const Image &image, const RGBColorSpace &space, Point2f half) {
+/// The integral of luminance over solid angle, as seen through a transform: texels in the plane
+/// z = 1, each at its middle.
+float Flux(const Image &image, const RGBColorSpace &space, Point2f half, const Transform &t) {
     const Point2i n = image.Resolution();
+    const double volume =
+        std::abs(Dot(t.Vector({1, 0, 0}), Cross(t.Vector({0, 1, 0}), t.Vector({0, 0, 1}))));
     double sum = 0;
     for (int y = 0; y < n.y; ++y)
         for (int x = 0; x < n.x; ++x) {
-            const Vector3f w{half.x * (2 * (float(x) + 0.5f) / float(n.x) - 1),
-                             half.y * (2 * (float(y) + 0.5f) / float(n.y) - 1), 1};
-            const double length = Length(w);
+            const float u = 2 * (float(x) + 0.5f) / float(n.x) - 1;
+            const float v = 1 - 2 * (float(y) + 0.5f) / float(n.y);
+            const double length = Length(t.Vector({half.x * u, half.y * v, 1}));
             sum += double(Luminance(TexelRGB(image, x, y), space)) / (length * length * length);
         }
-    return float(sum * 4 * double(half.x) * double(half.y) / (double(n.x) * double(n.y)));
+    return float(sum * volume * 4 * double(half.x) * double(half.y) / (double(n.x) * double(n.y)));
 }
 
 }  // namespace
@@ -41,14 +44,15 @@ std::optional<ProjectionLight> ProjectionLight::Create(ParamDict &params,
     if (!image) return std::nullopt;
     const RGBColorSpace &space = ColorSpaceOf(*image);
     const Point2f half = HalfSides(image->Resolution(), fov);
-    const float flux = Flux(*image, space, half);
+    const float flux = Flux(*image, space, half, Transform());
     if (scale.target > 0 && !(flux > 0)) {
         params.Error(kLightPower.name, "the picture is black: no scale can give it a power");
         return std::nullopt;
     }
     ProjectionLight light;
     light.projector = std::make_shared<Projector>(
-        Projector{LightPicture(*image, space), renderFromLight.Inverse(), half, flux});
+        Projector{LightPicture(*image, space), renderFromLight.Inverse(), half,
+                  Flux(*image, space, half, renderFromLight)});
     light.p = renderFromLight.Point({0, 0, 0});
     light.scale = scale.For(flux);
     return light;

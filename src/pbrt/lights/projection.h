@@ -43,7 +43,7 @@ struct ProjectionLight {
         LightPicture picture;
         Transform lightFromRender;
         Point2f half;  ///< half the picture's sides in the plane z = 1
-        float flux;    ///< luminous, at scale 1
+        float flux;    ///< luminous, at scale 1, in rendering space
     };
     std::shared_ptr<const Projector> projector;
     Point3f p;

@@ -14,6 +14,7 @@
 #include "pbrt/shapes/ply_mesh.h"
 #include "pbrt/shapes/sphere.h"
 #include "pbrt/shapes/triangle_mesh.h"
+#include "pbrt/textures/texture.h"
 #include "pbrt/util/type_list.h"
 
 namespace pbrt {
@@ -31,7 +32,8 @@ using ShapeDirectives = ShapeTypes::Append<LoopSubdivision, PlyFile>;
 /// two. Empty after an error (which is in the log). Parameters that no one read are errors, but
 /// those of an unknown shape.
 std::vector<Shape> CreateShapes(const ShapeEntity &entity, ParamDict &params,
-                                const Transform &renderFromObject);
+                                const Transform &renderFromObject,
+                                const NamedTextures &textures = {});
 
 // The members of base/shape.h, of whichever type it is.
 
