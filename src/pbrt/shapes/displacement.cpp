@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <unordered_map>
 
 #include "pbrt/util/memory.h"
@@ -91,6 +92,30 @@ class Cutter {
     std::unordered_map<uint64_t, uint32_t> middles;
 };
 
+/// Why the mesh cannot be cut so finely; empty where it can.
+std::string TooFine(const TriangleMesh &mesh, const Transform &renderFromObject, float edgeLength) {
+    // Each round halves edges; thin triangles end up as fewer than this.
+    double triangles = 0;
+    for (size_t i = 0; i < mesh.indices.size(); i += 3) {
+        float longest = 0;
+        for (size_t k = 0; k < 3; ++k) {
+            const Vector3f edge =
+                mesh.p[mesh.indices[i + (k + 1) % 3]] - mesh.p[mesh.indices[i + k]];
+            longest = std::max(longest, Length(renderFromObject.Vector(edge)));
+        }
+        triangles += std::exp2(2 * std::max(0.f, std::ceil(std::log2(longest / edgeLength))));
+    }
+    constexpr double kMost = 0x1p28, kBytes = 100;  // a triangle, half a vertex, their edges
+    std::string why;
+    if (!(triangles <= kMost))
+        why = "more than fit here";
+    else if (const auto tooLarge = WhyTooLarge(uint64_t(triangles * kBytes)))
+        why = "which " + *tooLarge;
+    if (why.empty()) return why;
+    return fmt::format("\"edgelength\" {:g} makes up to {:.3g} triangles, {}", edgeLength,
+                       triangles, why);
+}
+
 }  // namespace
 
 std::optional<std::string> Displace(const FloatTexture &height, float edgeLength,
@@ -103,15 +128,10 @@ std::optional<std::string> Displace(const FloatTexture &height, float edgeLength
     if (mesh->faceIndices.empty())
         for (size_t i = 0; i < mesh->NPrimitives(); ++i)
             mesh->faceIndices.push_back(int(i));
-    while (Cutter(mesh, renderFromObject, edgeLength).Cut()) {
-        // A round makes four of a triangle at most, each with half a vertex, and their edges.
-        constexpr uint64_t kBytes = 4 * 60;
-        const auto why = WhyTooLarge(mesh->NPrimitives() * kBytes);
-        if (why || mesh->NPrimitives() > size_t(1) << 28)
-            return fmt::format("\"edgelength\" {:g} makes more than {} triangles: it {}",
-                               edgeLength, mesh->NPrimitives(),
-                               why.value_or("has more than fit here"));
-    }
+    if (const std::string why = TooFine(*mesh, renderFromObject, edgeLength); !why.empty())
+        return why;
+    while (Cutter(mesh, renderFromObject, edgeLength).Cut())
+        continue;
     for (size_t i = 0; i < mesh->p.size(); ++i) {
         TextureEvalContext ctx;
         ctx.p = renderFromObject.Point(mesh->p[i]);
