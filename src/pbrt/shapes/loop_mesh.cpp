@@ -43,19 +43,22 @@ Tangents Inside(const std::vector<Vector3d> &ring) {
     }
     return d;
 }
-/// Along the boundary, and across it (Hoppe et al. 1994, "Piecewise Smooth Surface
-/// Reconstruction").
+/// Along the boundary, and across it, outwards. Across: the left eigenvector of the step's matrix
+/// that is symmetric, with weights w of the vertex, a of either end of the ring, sin(i theta)
+/// between, theta = pi / (n - 1), and the eigenvalue 3/8 + cos(theta) / 4. Its two equations for w
+/// and a, that of an end and that of the vertex, are solved below.
 Tangents OnBoundary(Vector3d p, const std::vector<Vector3d> &ring) {
-    const size_t n = ring.size();
     const Vector3d along = ring.back() - ring.front(), ends = ring.front() + ring.back();
-    if (n == 2) return {along, 2. * p - ends};
-    if (n == 3) return {along, p - ring[1]};
-    if (n == 4) return {along, 2. * p + ends - 2. * (ring[1] + ring[2])};
-    const double turn = M_PI / double(n - 1);
-    Vector3d across = std::sin(turn) * ends;
-    for (size_t i = 1; i + 1 < n; ++i)
-        across = across + (2 * std::cos(turn) - 2) * std::sin(double(i) * turn) * ring[i];
-    return {along, across};
+    if (ring.size() == 2) return {along, 2. * p - ends};
+    const double theta = M_PI / double(ring.size() - 1);
+    const double value = 3. / 8 + std::cos(theta) / 4, sumOfSines = 1 / std::tan(theta / 2);
+    const double a = (3. / 8 * sumOfSines + (value - 3. / 4) * std::sin(theta)) /
+                     (8 * (value - 3. / 4) * (value - 1. / 2) - 1);
+    const double w = 8 * (value - 1. / 2) * a - std::sin(theta);
+    Vector3d inwards = a * ends + w * p;
+    for (size_t i = 1; i + 1 < ring.size(); ++i)
+        inwards += std::sin(double(i) * theta) * ring[i];
+    return {along, -inwards};
 }
 
 }  // namespace
