@@ -171,7 +171,7 @@ TEST_F(Reading, SubsampledExrIsAnError) {
 TEST_F(Reading, WhatIsNoPictureSaysSo) {
     EXPECT_EQ(Read("").error, Path("a") + ": is empty");
     EXPECT_EQ(Read("Shape \"sphere\"").error,
-              Path("a") + ": is no EXR, PNG, JPEG, PFM or Radiance HDR picture");
+              Path("a") + ": is no EXR, PNG, JPEG, PFM, Radiance HDR, QOI or TGA picture");
     EXPECT_EQ(ReadImage(Path("none.exr")).error,
               Path("none.exr") + ": cannot be opened: No such file or directory");
 }

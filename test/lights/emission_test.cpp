@@ -51,20 +51,22 @@ TEST(Emission, ASpectrumWithoutVisibleLightIsAnError) {
 }
 
 TEST(LightErrors, UnknownTypesAndParameters) {
+    EXPECT_EQ(LightScene("LightSource \"goniometer\"").Messages(),
+              "l.pbrt:2:1: unknown light \"goniometer\"; did you mean \"goniometric\"? Known: "
+              "\"point\", \"spot\", \"distant\", \"goniometric\", \"projection\" or "
+              "\"infinite\"\n");
     EXPECT_EQ(LightScene("LightSource \"goniometric\"").Messages(),
-              "l.pbrt:2:1: unknown light \"goniometric\"; pbrt-v4 has it, not built here; use "
-              "\"point\". Known: \"point\", \"spot\", \"distant\" "
-              "or \"infinite\"\n");
+              "l.pbrt:2:1: light \"goniometric\" needs \"string filename\", a picture\n");
     EXPECT_EQ(AreaScene("\"difuse\"", Rectangle(1, 1, 0)).Messages(),
               "l.pbrt:2:1: unknown area light \"difuse\"; did you mean \"diffuse\"? Known: "
               "\"diffuse\"\n");
-    EXPECT_NE(LightScene("LightSource \"infinite\" \"point3 portal\" [ 0 0 0 ]")
+    EXPECT_NE(LightScene("LightSource \"infinite\" \"point3 portals\" [ 0 0 0 ]")
                   .Messages()
-                  .find("unknown parameter \"point3 portal\" of light \"infinite\""),
+                  .find("unknown parameter \"point3 portals\" of light \"infinite\""),
               std::string::npos);
-    EXPECT_NE(AreaScene("\"diffuse\" \"string filename\" \"a.exr\"", Rectangle(1, 1, 0))
+    EXPECT_NE(AreaScene("\"diffuse\" \"string file\" \"a.exr\"", Rectangle(1, 1, 0))
                   .Messages()
-                  .find("unknown parameter \"string filename\" of area light \"diffuse\""),
+                  .find("unknown parameter \"string file\" of area light \"diffuse\""),
               std::string::npos);
 }
 

@@ -95,7 +95,7 @@ TEST(ImageInfiniteLight, SamplesFollowTheDensity) {
 /// Both ways to find light together, balance heuristic: what one leaves out the other has.
 TEST(ImageInfiniteLight, IrradianceWithMISAgreesWithQuadrature) {
     const ImageInfiniteLight light = Lit(Sky(16));
-    const Spectrum &white = light.sky->illuminant;
+    const Spectrum &white = light.sky->picture.Illuminant();
     const Normal3f n = Normalize(Vector3f{1, -2, 0.5f});
     constexpr int m = 1024;
     double want = 0;
@@ -144,8 +144,9 @@ TEST(ImageInfiniteLight, AConstantPictureIsSampledUniformly) {
     std::fill(image.Data().begin(), image.Data().end(), 2.f);
     const ImageInfiniteLight light = Lit(image);
     EXPECT_FLOAT_EQ(light.PDF_Li(Vector3f{0, 0, 1}), 1 / (4 * Pi));
-    EXPECT_NEAR(Luminance(light.Le({0.6f, 0, 0.8f}, kLambda), light.sky->illuminant, kLambda), 2,
-                1e-2);
+    EXPECT_NEAR(
+        Luminance(light.Le({0.6f, 0, 0.8f}, kLambda), light.sky->picture.Illuminant(), kLambda), 2,
+        1e-2);
     EXPECT_NEAR(light.Power(), 4 * Pi * Pi * 100 * 2, 40);
 }
 
@@ -173,7 +174,7 @@ double SummedIlluminance(const Image &image, int n) {
                 sum += double(w.z * Luminance(light.RadianceAt({(float(x) + 0.5f) / float(m),
                                                                 (float(y) + 0.5f) / float(m)},
                                                                kLambda),
-                                              light.sky->illuminant, kLambda));
+                                              light.sky->picture.Illuminant(), kLambda));
         }
     return sum * 4 * double(Pi) / (double(m) * m);
 }
@@ -234,8 +235,9 @@ TEST_F(ImageInfiniteLightFiles, OfOneAndFourTexelsMeetTheTargetIlluminance) {
             "LightSource \"infinite\" \"string filename\" \"sky.exr\" \"float illuminance\" 5",
             folder.string());
         const auto &light = std::get<ImageInfiniteLight>(s.Only());
-        EXPECT_NEAR(Luminance(light.Le({0, 0, 1}, kLambda), light.sky->illuminant, kLambda),
-                    5 / double(Pi), 2e-3);
+        EXPECT_NEAR(
+            Luminance(light.Le({0, 0, 1}, kLambda), light.sky->picture.Illuminant(), kLambda),
+            5 / double(Pi), 2e-3);
     }
 }
 
@@ -253,8 +255,8 @@ TEST_F(ImageInfiniteLightFiles, MeetTheTargetIlluminance) {
             const Vector3f w =
                 EqualAreaSquareToSphere(Point2f{(float(x) + 0.5f) / m, (float(y) + 0.5f) / m});
             if (w.z > 0)
-                sum +=
-                    double(w.z * Luminance(light.Le(w, kLambda), light.sky->illuminant, kLambda));
+                sum += double(w.z * Luminance(light.Le(w, kLambda), light.sky->picture.Illuminant(),
+                                              kLambda));
         }
     EXPECT_NEAR(sum * 4 * double(Pi) / (m * m), 40, 0.4);
 }

@@ -91,11 +91,11 @@ TYPED_TEST(EveryLight, InfiniteOnesAreSeenAsTheyAreSampled) {
     using L = TypeParam;
     if constexpr (!L::kTraits.isInfinite) GTEST_SKIP() << "is not infinite";
     int samples = 0, agree = 0;
-    ForEachSample<L>(3, [&](const LightCase &c, const LightSampleContext &,
+    ForEachSample<L>(3, [&](const LightCase &c, const LightSampleContext &ctx,
                             const SampledWavelengths &lambda, const LightLiSample &s) {
         ++samples;
-        const SampledSpectrum Le = pbrt::Le(c.light, Ray{{}, s.wi}, lambda);
-        bool same = std::abs(PDF_Li(c.light, s.wi) / s.pdf - 1) < 1e-3f;
+        const SampledSpectrum Le = pbrt::Le(c.light, Ray{ctx.p, s.wi}, lambda);
+        bool same = std::abs(PDF_Li(c.light, ctx.p, s.wi) / s.pdf - 1) < 1e-3f;
         for (int k = 0; k < NSpectrumSamples; ++k)
             same &= std::abs(Le[k] - s.L[k]) <= 1e-3f * s.L[k];
         agree += same;
@@ -115,7 +115,7 @@ TYPED_TEST(EveryLight, InfiniteOnesHaveADensity) {
         for (int y = 0; y < n; ++y)
             for (int x = 0; x < n; ++x) {
                 const Point2f u{(float(x) + rng.Uniform()) / n, (float(y) + rng.Uniform()) / n};
-                sum += double(PDF_Li(c.light, SampleUniformSphere(u)));
+                sum += double(PDF_Li(c.light, {0, 0, 0}, SampleUniformSphere(u)));
             }
         EXPECT_NEAR(sum * 4 * double(Pi) / (n * n), L::kTraits.neverSampled ? 0 : 1, 5e-3)
             << c.text;

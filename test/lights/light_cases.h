@@ -72,11 +72,12 @@ inline ParamDict Params(const Entity &entity, std::string kind, const std::strin
 }
 
 /// The area lights of a text with one shape.
-inline void AddAreaLights(const std::string &text, Parsed &parsed, std::vector<LightCase> *cases) {
+inline void AddAreaLights(const std::string &text, const std::string &dir, Parsed &parsed,
+                          std::vector<LightCase> *cases) {
     static constexpr FloatParam kAlpha{"alpha", "", 1, 0, 1, "coverage"};
     const ShapeEntity entity = *parsed.scene.shapes.begin();
     ParamDict shapeParams = Params(entity, "shape ", "", &parsed.log);
-    ParamDict own = Params(*entity.areaLight, "area light ", "", &parsed.log);
+    ParamDict own = Params(*entity.areaLight, "area light ", dir, &parsed.log);
     const float alpha = shapeParams.GetOneFloat(kAlpha);
     for (Shape &shape : CreateShapes(entity, shapeParams, entity.worldFromObject[0])) {
         const auto kept = std::make_shared<const Shape>(std::move(shape));
@@ -106,7 +107,7 @@ std::vector<LightCase> CasesOf() {
         const auto parsed = ParseWorld(text, folder.Name());
         const size_t before = cases.size();
         if (L::kTraits.isArea)
-            detail::AddAreaLights(text, *parsed, &cases);
+            detail::AddAreaLights(text, folder.Name(), *parsed, &cases);
         else
             detail::AddLights(text, folder.Name(), *parsed, &cases);
         EXPECT_EQ(parsed->Messages(), Texts{}) << text;

@@ -134,10 +134,12 @@ TEST(LightPacket, SixteenRaysLeaveAsEachAlone) {
     for (size_t k = 0; k < lights.Size(); ++k) {
         if (!Traits(lights[k]).isInfinite) continue;
         for (int round = 0; round < 200; ++round) {
+            Point3fX16 o;
             Vector3fX16 d;
             WavelengthPacket lambda;
             std::vector<SampledWavelengths> wavelengths;
             for (int i = 0; i < kPacketSize; ++i) {
+                SetLane(&o, i, 5 * rng.Uniform() * SampleUniformSphere(rng.Uniform2D()));
                 SetLane(&d, i, (0.1f + rng.Uniform()) * SampleUniformSphere(rng.Uniform2D()));
                 wavelengths.push_back(SampledWavelengths::SampleVisible(rng.Uniform()));
             }
@@ -145,11 +147,11 @@ TEST(LightPacket, SixteenRaysLeaveAsEachAlone) {
                 lambda[i] = &wavelengths[i];
             const LaneBits active = round % 2 ? kAllLanes : rng.Next32() & kAllLanes;
             LightLePacket le;
-            Le(lights[k], d, lambda, active, &le);
+            Le(lights[k], o, d, lambda, active, &le);
             ForEachLane(active, [&](int i) {
                 const SampledSpectrum L =
-                    Le(lights[k], Ray{{}, Lane(d, i)}, wavelengths[size_t(i)]);
-                const float pdf = PDF_Li(lights[k], Lane(d, i));
+                    Le(lights[k], Ray{Lane(o, i), Lane(d, i)}, wavelengths[size_t(i)]);
+                const float pdf = PDF_Li(lights[k], Lane(o, i), Lane(d, i));
                 ++all;
                 bool equal = std::abs(le.pdf[i] - pdf) <= 1e-5f * pdf;
                 for (int s = 0; s < NSpectrumSamples; ++s)

@@ -127,7 +127,7 @@ TEST(UniformInfiniteLight, GivesItsIlluminance) {
     EXPECT_NEAR(Pi * L[1] * kLuminance, 5, 1e-3);
     EXPECT_TRUE(Traits(s.Only()).isInfinite);
     EXPECT_FALSE(SampleLi(s.Only(), {}, {0.5f, 0.5f}, kLambda));
-    EXPECT_EQ(PDF_Li(s.Only(), {0, 0, 1}), 0);
+    EXPECT_EQ(PDF_Li(s.Only(), {0, 0, 0}, {0, 0, 1}), 0);
 }
 
 }  // namespace

@@ -97,6 +97,8 @@ struct LightTraits {
     /// Has Preprocess, which is told the radius of the scene's bounding sphere once, before
     /// anything below is called.
     bool readsSceneRadius = false;
+    /// What is seen of an infinite light is not the same from everywhere (PlacedInfiniteLight).
+    bool dependsOnPlace = false;
     /// Has a sixteen-wide SampleLi (WideLight). Without it receivers are served one by one.
     bool isWide = false;
     /// Has a sixteen-wide Le (WideInfiniteLight). Without it rays are served one by one.
@@ -113,10 +115,12 @@ struct LightTraits {
 ///       image "example.exr", square, stands where they are read.
 ///   static constexpr LightTraits kTraits
 ///   static Made Create(ParamDict &, const Transform &renderFromLight)
+///   static Made Create(ParamDict &, const Transform &renderFromLight,
+///                      const Transform &renderFromWorld)
 ///   static std::vector<L> Create(ParamDict &, const Shape &, const FloatTexture &alpha)
-///       the second for area lights: one light a primitive of the shape, which outlives them. Made
-///       is L, std::optional<L>, or an optional variant of lights. Empty after an error, which is
-///       in the log with its place.
+///       the second where parameters are places in the world; the third for area lights: one light
+///       a primitive of the shape, which outlives them. Made is L, std::optional<L>, or an optional
+///       variant of lights. Empty after an error, which is in the log with its place.
 ///   std::optional<LightLiSample> SampleLi(const LightSampleContext &, Point2f u,
 ///                                         const SampledWavelengths &) const
 ///       light from one direction, u in [0, 1)^2; nullopt where nothing arrives. Occlusion is the
@@ -162,6 +166,15 @@ concept InfiniteLightType = requires(const T l, Vector3f d, const SampledWavelen
     { l.PDF_Li(d) } -> std::same_as<float>;
 };
 
+/// A light with dependsOnPlace: Le and PDF_Li as above, for a ray from `from` and the receiver
+/// `from`.
+template <typename T>
+concept PlacedInfiniteLight = requires(const T l, Point3f from, Vector3f d,
+                                       const SampledWavelengths &lambda) {
+    { l.Le(from, d, lambda) } -> std::same_as<SampledSpectrum>;
+    { l.PDF_Li(from, d) } -> std::same_as<float>;
+};
+
 /// A light with isWide.
 ///   static LaneBits SampleLi(const LightsOf<L> &, const LightSampleContextX16 &,
 ///                            const Point2fX16 &u, const WavelengthPacket &, LaneBits lanes,
@@ -195,8 +208,9 @@ concept ReadsSceneRadius = requires(T l, float radius) {
 template <typename T>
 concept LightType =
     BasicLight<T> && T::kTraits.isArea + T::kTraits.isInfinite + T::kTraits.isDelta <= 1 &&
-    detail::AsAnnounced<T::kTraits.isArea, AreaLightType<T>>
-        &&detail::AsAnnounced<T::kTraits.isInfinite, InfiniteLightType<T>>
+    detail::AsAnnounced<T::kTraits.isArea, AreaLightType<T>> &&detail::AsAnnounced<
+        T::kTraits.isInfinite && !T::kTraits.dependsOnPlace, InfiniteLightType<T>>
+        &&detail::AsAnnounced<T::kTraits.dependsOnPlace, PlacedInfiniteLight<T>>
             &&detail::AsAnnounced<T::kTraits.readsSceneRadius, ReadsSceneRadius<T>>
                 &&detail::AsAnnounced<T::kTraits.isWide, WideLight<T>>
                     &&detail::AsAnnounced<T::kTraits.isWideSeen, WideInfiniteLight<T>>;
@@ -206,7 +220,10 @@ template <BasicLight T>
 struct LightContract {
     static constexpr bool value = [] {
         if constexpr (T::kTraits.isArea) static_assert(AreaLightType<T>);
-        if constexpr (T::kTraits.isInfinite) static_assert(InfiniteLightType<T>);
+        if constexpr (T::kTraits.dependsOnPlace)
+            static_assert(T::kTraits.isInfinite && PlacedInfiniteLight<T>);
+        else if constexpr (T::kTraits.isInfinite)
+            static_assert(InfiniteLightType<T>);
         if constexpr (T::kTraits.readsSceneRadius) static_assert(ReadsSceneRadius<T>);
         if constexpr (T::kTraits.isWide) static_assert(WideLight<T>);
         if constexpr (T::kTraits.isWideSeen) static_assert(WideInfiniteLight<T>);

@@ -14,11 +14,14 @@
 
 namespace pbrt {
 
+struct NamedTextures;
+
 /// Arguments from which every shape is made.
 struct ShapeArguments {
     const ShapeEntity &entity;
     ParamDict &params;
     const Transform &renderFromObject;
+    const NamedTextures &textures;  ///< that parameters may name
 };
 
 /// A point drawn on an emitter. pdf per unit area, or per unit solid angle, as the call says.

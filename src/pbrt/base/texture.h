@@ -115,6 +115,15 @@ using SpectrumByRole = std::array<std::optional<SpectrumTexture>, 3>;
 /// Source of a texture type's parameters; in pbrt/textures/texture_builder.h.
 struct TextureBuilder;
 
+template <typename T>
+concept FloatOnlyTexture = requires {
+    requires T::kIsFloatOnly;
+};
+template <typename T>
+concept SpectrumTextureType = requires(TextureBuilder &builder) {
+    { T::CreateSpectrum(builder) } -> std::same_as<SpectrumByRole>;
+};
+
 /// A texture type makes FloatTextures and SpectrumTextures of the parameters of a directive
 /// `Texture "name" "float" "<kName>" ...` or `Texture "name" "spectrum" "<kName>" ...`. It is never
 /// made itself: its nodes, if any, are of types of its own, and immutable.
@@ -122,7 +131,10 @@ struct TextureBuilder;
 ///   CreateFloat(builder)     the texture of a float. After an error, which is reported through
 ///                            builder.params, any texture
 ///   CreateSpectrum(builder)  the same of a spectrum, in each role that it can have: values of an
-///                            albedo lie in [0, 1], of the others are >= 0
+///                            albedo lie in [0, 1], of the others are >= 0, unless float textures
+///                            scale or mix them beyond; materials clamp what they use
+///   static constexpr bool kIsFloatOnly = true
+///                            instead of CreateSpectrum: a spectrum of that name is an error
 ///
 /// kExamples serve floats and spectra alike; files that they name are example.exr and example.ptx,
 /// which the tests write. Either function fills in what the builder has for it: builder.readsUV
@@ -132,7 +144,6 @@ struct TextureBuilder;
 template <typename T>
 concept TextureType = PlugInType<T> && requires(TextureBuilder &builder) {
     { T::CreateFloat(builder) } -> std::convertible_to<FloatTexture>;
-    { T::CreateSpectrum(builder) } -> std::same_as<SpectrumByRole>;
-};
+} &&(FloatOnlyTexture<T> != SpectrumTextureType<T>);
 
 }  // namespace pbrt

@@ -38,10 +38,13 @@ void ReadSampling(const SceneDescription &description, const SceneOverrides &ove
 }
 
 /// Two triangles that make a parallelogram, as one patch: one light is chosen and sampled better
-/// than two. Not where `power` is given, which is each triangle's (PBRT_FORMAT 2.10).
+/// than two. Not where `power` is given, which is each triangle's (PBRT_FORMAT 2.10), nor where a
+/// picture is, which lies by the triangles' uv.
 std::optional<BilinearMesh> MergedEmitter(const Geometry &geometry, ParamDict &params) {
     const auto *mesh = std::get_if<TriangleMesh>(&geometry.shape);
-    if (!mesh || params.Has(kLightPower) || !geometry.alpha.IsConstant()) return {};
+    if (!mesh || params.Has(kLightPower) || params.Has(DiffuseAreaLight::kFileName) ||
+        !geometry.alpha.IsConstant())
+        return {};
     return AsParallelogram(*mesh);
 }
 
@@ -50,7 +53,8 @@ void BuildLights(const SceneDescription &description, const std::vector<Emissive
     const Transform &renderFromWorld = Placement(scene.camera).renderFromWorld;
     for (const LightEntity &entity : description.lights) {
         ParamDict params = Params(entity, "light", entity.type, description, log);
-        if (auto light = CreateLight(entity.type, params, renderFromWorld * entity.worldFromLight))
+        if (auto light = CreateLight(entity.type, params, renderFromWorld * entity.worldFromLight,
+                                     renderFromWorld))
             scene.lights.push_back(std::move(*light));
     }
     for (const EmissiveShape &emitter : emitters) {

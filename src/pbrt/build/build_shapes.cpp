@@ -45,7 +45,7 @@ class ShapeBuilder {
         ParamDict params(entity.params, entity.loc, fmt::format("shape \"{}\"", entity.type),
                          entity.colorSpace, &log, description.dir);
         const FloatTexture alpha = GetAlpha(params, textures);
-        std::vector<Shape> shapes = CreateShapes(entity, params, renderFromObject);
+        std::vector<Shape> shapes = CreateShapes(entity, params, renderFromObject, textures);
         const MaterialId material = MaterialOf(entity);
         if (material == kInterfaceId) {
             if (entity.areaLight)

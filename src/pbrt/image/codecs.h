@@ -16,6 +16,11 @@ OrError<Image> DecodePng(std::string_view bytes, const ColorEncoding &encoding);
 OrError<Image> DecodeJpeg(std::string_view bytes, const ColorEncoding &encoding);
 OrError<Image> DecodePfm(std::string_view bytes);
 OrError<Image> DecodeHdr(std::string_view bytes);
+/// Colors of a file that says it is linear are, whatever the encoding.
+OrError<Image> DecodeQoi(std::string_view bytes, const ColorEncoding &encoding);
+/// TGA has no mark at its start: this asks whether the bytes could be a header of it. Text cannot.
+bool IsTga(std::string_view bytes);
+OrError<Image> DecodeTga(std::string_view bytes, const ColorEncoding &encoding);
 
 OrError<std::string> EncodeExr(const Image &image, ExrPixels pixels);
 OrError<std::string> EncodePng(const Image &image);

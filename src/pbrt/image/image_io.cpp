@@ -25,7 +25,9 @@ OrError<Image> Decode(std::string_view bytes, const ColorEncoding &encoding) {
     if (bytes.starts_with("\xff\xd8\xff")) return DecodeJpeg(bytes, encoding);
     if (bytes.starts_with("PF") || bytes.starts_with("Pf")) return DecodePfm(bytes);
     if (bytes.starts_with("#?")) return DecodeHdr(bytes);
-    return {{}, "is no EXR, PNG, JPEG, PFM or Radiance HDR picture"};
+    if (bytes.starts_with("qoif")) return DecodeQoi(bytes, encoding);
+    if (IsTga(bytes)) return DecodeTga(bytes, encoding);
+    return {{}, "is no EXR, PNG, JPEG, PFM, Radiance HDR, QOI or TGA picture"};
 }
 
 /// The extension in lower case, without the dot.

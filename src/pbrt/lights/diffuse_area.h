@@ -6,20 +6,27 @@
 
 #include "pbrt/base/light.h"
 #include "pbrt/lights/emission.h"
+#include "pbrt/lights/light_picture.h"
 #include "pbrt/shapes/rectangle.h"
 #include "pbrt/shapes/shapes.h"
 #include "pbrt/textures/texture.h"
 
 namespace pbrt {
 
-/// One primitive of a shape that emits the same radiance from every point of its outside (or of
-/// both sides) into every direction, less the shape's alpha.
+/// One primitive of a shape that emits from its outside (or from both sides) into every direction
+/// the same radiance, less the shape's alpha: one spectrum, or a picture laid over the shape's uv,
+/// its top at v = 1.
 struct DiffuseAreaLight {
     static constexpr std::string_view kName = "diffuse";
     static constexpr LightTraits kTraits{.isArea = true, .isWide = true};
-    static constexpr std::array<std::string_view, 4> kExamples{
-        "", R"("bool twosided" true "rgb L" [ 3 2 1 ])", R"("float scale" 3)",
-        R"("float power" 9)"};
+    static constexpr std::array<std::string_view, 6> kExamples{
+        "",
+        R"("bool twosided" true "rgb L" [ 3 2 1 ])",
+        R"("float scale" 3)",
+        R"("float power" 9)",
+        R"("string filename" "example.exr")",
+        R"("string filename" "example.exr" "float power" 9)"};
+    static constexpr StringParam kFileName{"filename", "", "picture over the shape's uv, for L"};
     /// Data that the primitives of one shape share.
     struct Surface {
         Spectrum radiance;
@@ -29,6 +36,12 @@ struct DiffuseAreaLight {
         FloatTexture alpha;
         std::optional<Rectangle> rectangle;  ///< of a shape that is just that: sampled faster
         bool invisible;  ///< alpha is 0 everywhere: light samples reach it, rays do not
+        std::shared_ptr<const LightPicture> picture;  ///< null: `radiance` everywhere
+
+        SampledSpectrum Radiance(Point2f uv, const SampledWavelengths &lambda) const {
+            if (!picture) return radiance.Sample(lambda);
+            return picture->Sample(picture->TexelAt({uv.x, 1 - uv.y}), lambda);
+        }
     };
     /// One light per primitive of `shape`, which must outlive them. As in pbrt-v4 `power` is what
     /// each primitive emits.
@@ -47,17 +60,17 @@ struct DiffuseAreaLight {
         float strength = scale;
         if (!s.alpha.IsConstant() || s.alpha.Constant() != 1) strength *= Opacity(*at);
         if (strength == 0) return std::nullopt;
-        return LightLiSample{s.radiance.Sample(lambda) * strength, d * (1 / std::sqrt(d2)), at->pdf,
-                             at->p + at->n * (cosine > 0 ? off : -off), s.invisible};
+        return LightLiSample{s.Radiance(at->uv, lambda) * strength, d * (1 / std::sqrt(d2)),
+                             at->pdf, at->p + at->n * (cosine > 0 ? off : -off), s.invisible};
     }
     float PDF_Hit(Point3f ref, Point3f p, Normal3f n) const {
         if (surface->rectangle) return surface->rectangle->PDFFrom(ref, p);
         return PDFFrom(*surface->shape, primitive, ref, p, n);
     }
-    SampledSpectrum L(Point3f, Normal3f n, Point2f, Vector3f w,
+    SampledSpectrum L(Point3f, Normal3f n, Point2f uv, Vector3f w,
                       const SampledWavelengths &lambda) const {
         if (!surface->twoSided && !(Dot(n, w) > 0)) return SampledSpectrum(0.f);
-        return surface->radiance.Sample(lambda) * scale;
+        return surface->Radiance(uv, lambda) * scale;
     }
     /// Rectangles; two are as fast one by one.
     static LaneBits SampleLi(const LightsOf<DiffuseAreaLight> &lights,
@@ -66,7 +79,7 @@ struct DiffuseAreaLight {
                              LightLiSamples *samples) {
         LaneBits rectangles = 0;
         ForEachLane(lanes, [&](int i) {
-            rectangles |= LaneBits(lights[size_t(i)]->IsOpaqueRectangle()) << i;
+            rectangles |= LaneBits(lights[size_t(i)]->IsPlainRectangle()) << i;
         });
         if (std::popcount(rectangles) <= 2) return 0;
         SampleRectangles(lights, ctx, u, lambda, rectangles, samples);
@@ -85,14 +98,15 @@ struct DiffuseAreaLight {
     /// through. Both points' errors and that of their difference, twice.
     static constexpr float kInPlane = 6;
 
-    /// Rectangles that let no light through, in the given lanes, one at least.
+    /// Rectangles of one radiance that let no light through, in the given lanes, one at least.
     static void SampleRectangles(const LightsOf<DiffuseAreaLight> &light,
                                  const LightSampleContextX16 &ctx, const Point2fX16 &u,
                                  const WavelengthPacket &lambda, LaneBits lanes,
                                  LightLiSamples *samples);
-    bool IsOpaqueRectangle() const {
+    bool IsPlainRectangle() const {
         const FloatTexture &alpha = surface->alpha;
-        return surface->rectangle && alpha.IsConstant() && alpha.Constant() == 1;
+        return surface->rectangle && !surface->picture && alpha.IsConstant() &&
+               alpha.Constant() == 1;
     }
     std::optional<ShapeSample> SamplePoint(Point3f ref, Point2f u) const {
         if (!surface->rectangle) return SampleFrom(*surface->shape, primitive, ref, u);

@@ -12,18 +12,6 @@
 namespace pbrt {
 namespace {
 
-RGB TexelRGB(const Image &image, int x, int y) {
-    static constexpr std::array<std::string_view, 3> kNames{"R", "G", "B"};
-    RGB rgb;
-    for (int c = 0; c < 3; ++c)
-        rgb[c] = std::max(0.f, image.Get({x, y}, image.ChannelIndex(kNames[size_t(c)])));
-    return rgb;
-}
-
-float Luminance(const RGB &rgb, const RGBColorSpace &space) {
-    return Mul(space.XYZFromRGB(), {rgb.r, rgb.g, rgb.b})[1];
-}
-
 float AbsDeterminant(const Transform &t) {
     const Vector3f x = t.Vector({1, 0, 0}), y = t.Vector({0, 1, 0}), z = t.Vector({0, 0, 1});
     return std::abs(Dot(x, Cross(y, z)));
@@ -62,51 +50,37 @@ struct Halves {
     }
 };
 
-/// Why the image cannot light a scene; empty where it can.
-std::string Unfit(const Image &image) {
-    const Point2i res = image.Resolution();
-    if (res.x != res.y)
-        return fmt::format(
-            "is {} x {} pixels; an infinite light needs a square picture in the "
-            "equal-area octahedral layout",
-            res.x, res.y);
-    if (res.x < 1) return "has no pixels";
-    for (std::string_view name : {"R", "G", "B"})
-        if (image.ChannelIndex(name) < 0)
-            return fmt::format("has no channel {}; an infinite light needs R, G and B", name);
-    for (float v : image.Data())
-        if (!std::isfinite(v)) return "has pixels that are not finite";
-    const auto why = WhyTooLarge(ImageInfiniteLight::BytesToCreate(image));
-    return why ? fmt::format("as a light {}", *why) : std::string();
-}
-
 }  // namespace
 
-std::optional<ImageInfiniteLight> ImageInfiniteLight::Create(ParamDict &params,
-                                                             const Transform &renderFromLight) {
-    const std::string file = params.GetFileName(kFileName);
+std::optional<SkyPicture> ReadSkyPicture(ParamDict &params) {
     const EmissionScale scale = GetScale(params, kLightIlluminance);
     if (params.GetOneSpectrum(kLightRadiance))
         params.Error(kLightRadiance.name,
                      "both \"L\" and \"filename\" are given; an infinite light takes one");
-    const OrError<Image> image = ReadImage(file);
-    const std::string unfit = image ? Unfit(*image.value) : std::string();
-    if (!image || !unfit.empty()) {
-        params.Error(kFileName.name, image ? fmt::format("\"{}\" {}", file, unfit) : image.error);
+    const StringParam &row = ImageInfiniteLight::kFileName;
+    std::optional<Image> image =
+        ReadLightPicture(params, row, {.what = "an infinite light", .square = true});
+    if (!image) return std::nullopt;
+    if (const auto why = WhyTooLarge(ImageInfiniteLight::BytesToCreate(*image))) {
+        params.Error(row.name, fmt::format("\"{}\" as a light {}", params.GetFileName(row), *why));
         return std::nullopt;
     }
-    if (const std::string &unread = image.value->metadata.unread; !unread.empty())
-        params.WarningOnce(kFileName.name, fmt::format("{}: {}", file, unread));
-    const RGBColorSpace &space = ColorSpaceOf(*image.value);
-    const float illuminance = ImageInfiniteLight::Illuminance(*image.value, space);
+    const RGBColorSpace &space = ColorSpaceOf(*image);
+    const float illuminance = ImageInfiniteLight::Illuminance(*image, space);
     if (scale.target > 0 && !(illuminance > 0)) {
         params.Error(kLightIlluminance.name,
                      "the picture is black above the horizon: no scale can give it "
                      "an illuminance");
         return std::nullopt;
     }
-    return ImageInfiniteLight::FromImage(*image.value, space, scale.For(illuminance),
-                                         renderFromLight);
+    return SkyPicture{*std::move(image), &space, scale.For(illuminance)};
+}
+
+std::optional<ImageInfiniteLight> ImageInfiniteLight::Create(ParamDict &params,
+                                                             const Transform &renderFromLight) {
+    const std::optional<SkyPicture> sky = ReadSkyPicture(params);
+    if (!sky) return std::nullopt;
+    return FromImage(sky->image, *sky->space, sky->scale, renderFromLight);
 }
 
 float ImageInfiniteLight::Illuminance(const Image &image, const RGBColorSpace &colorSpace) {
@@ -131,7 +105,7 @@ float ImageInfiniteLight::Illuminance(const Image &image, const RGBColorSpace &c
 uint64_t ImageInfiniteLight::BytesToCreate(const Image &image) {
     const uint64_t n = uint64_t(image.Resolution().x) * uint64_t(image.Resolution().y);
     // Weights, and in the table densities, cumulated values and what they are made from.
-    return n * (sizeof(Texel) + 4 * sizeof(float));
+    return LightPicture::BytesToCreate(image) + n * 4 * sizeof(float);
 }
 
 ImageInfiniteLight ImageInfiniteLight::FromImage(const Image &image,
@@ -141,29 +115,14 @@ ImageInfiniteLight ImageInfiniteLight::FromImage(const Image &image,
     sky->renderFromLight = renderFromLight;
     sky->lightFromRender = renderFromLight.Inverse();
     sky->invDet = 1 / AbsDeterminant(renderFromLight);
-    sky->resolution = image.Resolution().x;
-    const Spectrum &white = colorSpace.Illuminant();
-    sky->illuminant = white.Densely().Scaled(1 / SpectrumToPhotometric(white));
-
-    const size_t n = size_t(sky->resolution) * size_t(sky->resolution);
-    sky->texels.reserve(n);
+    sky->picture = LightPicture(image, colorSpace, scale);
+    const int n = image.Resolution().x;
     std::vector<float> weights;
-    weights.reserve(n);
-    double luminance = 0;
-    for (int y = 0; y < sky->resolution; ++y) {
-        for (int x = 0; x < sky->resolution; ++x) {
-            const RGB rgb = TexelRGB(image, x, y);
-            // Twice the largest component, so that the sigmoid stays away from its ends.
-            const float m = 2 * rgb.Max();
-            const RGBSigmoid sigmoid =
-                m > 0 ? colorSpace.LookUpSigmoid(rgb * (1 / m)) : RGBSigmoid{};
-            sky->texels.push_back({sigmoid, m * scale});
-            weights.push_back(rgb.Average());
-            luminance += double(Luminance(rgb, colorSpace));
-        }
-    }
-    sky->meanLuminance = float(luminance / double(n)) * scale;
-    sky->directions = Compensated(std::move(weights), sky->resolution);
+    weights.reserve(size_t(n) * size_t(n));
+    for (int y = 0; y < n; ++y)
+        for (int x = 0; x < n; ++x)
+            weights.push_back(TexelRGB(image, x, y).Average());
+    sky->directions = Compensated(std::move(weights), n);
     ImageInfiniteLight light;
     light.sky = std::move(sky);
     return light;

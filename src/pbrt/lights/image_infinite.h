@@ -6,11 +6,21 @@
 #include "pbrt/base/light.h"
 #include "pbrt/image/image.h"
 #include "pbrt/lights/emission.h"
+#include "pbrt/lights/light_picture.h"
 #include "pbrt/util/equal_area.h"
 #include "pbrt/util/piecewise_constant.h"
 #include "pbrt/util/transform.h"
 
 namespace pbrt {
+
+/// A square equal-area octahedral picture, what its RGB means, and the factor of its radiance.
+struct SkyPicture {
+    Image image;
+    const RGBColorSpace *space;
+    float scale;
+};
+/// Reads `filename`, `scale` and `illuminance`; nullopt after an error.
+std::optional<SkyPicture> ReadSkyPicture(ParamDict &params);
 
 /// Radiance from infinity by a square equal-area octahedral image, constant within each texel as
 /// in pbrt-v4.
@@ -86,7 +96,7 @@ struct ImageInfiniteLight {
         return RadianceAt(Along(d).p, lambda);
     }
     SampledSpectrum RadianceAt(Point2f p, const SampledWavelengths &lambda) const {
-        const int n = sky->resolution;
+        const int n = sky->picture.Resolution().x;
         return Radiance({detail::StepAt(p.x, n), detail::StepAt(p.y, n)}, lambda);
     }
     void Le(const Vector3fX16 &d, const WavelengthPacket &lambda, LaneBits lanes,
@@ -97,26 +107,17 @@ struct ImageInfiniteLight {
             le->L[size_t(i)] = RadianceAt(Lane(place.p, i), *lambda[size_t(i)]);
         });
     }
-    float Power() const { return 4 * Sqr(Pi * sceneRadius) * sky->meanLuminance; }
+    float Power() const { return 4 * Sqr(Pi * sceneRadius) * sky->picture.MeanLuminance(); }
     std::optional<LightBounds> Bounds() const { return std::nullopt; }
 
-    struct Texel {
-        RGBSigmoid sigmoid;
-        float scale;
-    };
     struct Sky {
         Transform renderFromLight, lightFromRender;
         float invDet;  ///< of renderFromLight, absolute
-        int resolution;
-        std::vector<Texel> texels;  ///< rows from v = 0
-        Spectrum illuminant;        ///< of the image's colours, CIE-Y integral 1
+        LightPicture picture;
         PiecewiseConstant2D directions;
-        float meanLuminance;
     };
     SampledSpectrum Radiance(Point2i texel, const SampledWavelengths &lambda) const {
-        const Texel &t = sky->texels[size_t(texel.y) * size_t(sky->resolution) + size_t(texel.x)];
-        if (t.scale == 0) return SampledSpectrum(0.f);
-        return t.sigmoid.Sample(lambda) * sky->illuminant.Sample(lambda) * t.scale;
+        return sky->picture.Sample(texel, lambda);
     }
 
     /// A direction drawn in the square, in rendering space.

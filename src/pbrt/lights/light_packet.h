@@ -32,14 +32,14 @@ using LightPacket = std::array<const Light *, kPacketSize>;
     });
 }
 
-/// Le of an infinite light in the given lanes; the others become undefined.
-inline void Le(const Light &light, const Vector3fX16 &d, const WavelengthPacket &lambda,
-               LaneBits lanes, LightLePacket *le) {
+/// Le of an infinite light along rays from o, in the given lanes; the others become undefined.
+inline void Le(const Light &light, const Point3fX16 &o, const Vector3fX16 &d,
+               const WavelengthPacket &lambda, LaneBits lanes, LightLePacket *le) {
     Dispatch(light, [&]<typename L>(const L &l) {
         if constexpr (L::kTraits.isWideSeen) return l.Le(d, lambda, lanes, le);
         ForEachLane(lanes, [&](int i) {
-            le->L[size_t(i)] = Le(light, Ray{{}, Lane(d, i)}, *lambda[size_t(i)]);
-            le->pdf.Set(i, PDF_Li(light, Lane(d, i)));
+            le->L[size_t(i)] = Le(light, Ray{Lane(o, i), Lane(d, i)}, *lambda[size_t(i)]);
+            le->pdf.Set(i, PDF_Li(light, Lane(o, i), Lane(d, i)));
         });
     });
 }

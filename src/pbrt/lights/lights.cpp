@@ -46,14 +46,18 @@ std::optional<Light> AsLight(const std::optional<Made> &made) {
 
 /// Light of the first type of that name; nullopt after an error.
 std::optional<Light> CreateNamed(std::string_view type, ParamDict &params,
-                                 const Transform &renderFromLight) {
+                                 const Transform &renderFromLight,
+                                 const Transform &renderFromWorld) {
     std::optional<Light> light;
     bool found = false;
     LightTypes::ForEach([&]<typename L>() {
         if constexpr (!L::kTraits.isArea) {
             if (found || L::kName != type) return;
             found = true;
-            light = AsLight(L::Create(params, renderFromLight));
+            if constexpr (requires { L::Create(params, renderFromLight, renderFromWorld); })
+                light = AsLight(L::Create(params, renderFromLight, renderFromWorld));
+            else
+                light = AsLight(L::Create(params, renderFromLight));
         }
     });
     return light;
@@ -69,7 +73,8 @@ std::vector<std::string_view> AreaLightNames() {
 }
 
 std::optional<Light> CreateLight(std::string_view type, ParamDict &params,
-                                 const Transform &renderFromLight) {
+                                 const Transform &renderFromLight,
+                                 const Transform &renderFromWorld) {
     const std::vector<std::string_view> names = LightNames();
     if (std::find(names.begin(), names.end(), type) == names.end()) {
         params.Error(UnknownName("light", type, names));
@@ -82,7 +87,7 @@ std::optional<Light> CreateLight(std::string_view type, ParamDict &params,
                         type, kShortestVector, kLongestVector));
         return std::nullopt;
     }
-    std::optional<Light> light = CreateNamed(type, params, renderFromLight);
+    std::optional<Light> light = CreateNamed(type, params, renderFromLight, renderFromWorld);
     const auto place = light ? Bounds(*light) : std::nullopt;
     if (place && !IsInRange(place->bounds))
         params.Error(kLightFrom.name,

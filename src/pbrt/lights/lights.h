@@ -8,8 +8,11 @@
 #include "pbrt/base/light.h"
 #include "pbrt/lights/diffuse_area.h"
 #include "pbrt/lights/distant.h"
+#include "pbrt/lights/goniometric.h"
 #include "pbrt/lights/image_infinite.h"
 #include "pbrt/lights/point.h"
+#include "pbrt/lights/portal_infinite.h"
+#include "pbrt/lights/projection.h"
 #include "pbrt/lights/spot.h"
 #include "pbrt/lights/uniform_infinite.h"
 #include "pbrt/util/type_list.h"
@@ -17,8 +20,9 @@
 namespace pbrt {
 
 /// The one list of lights; base/light.h is their contract, docs/EXTENDING.md the way to a new one.
-using LightTypes = TypeList<DiffuseAreaLight, PointLight, SpotLight, DistantLight,
-                            UniformInfiniteLight, ImageInfiniteLight>;
+using LightTypes =
+    TypeList<DiffuseAreaLight, PointLight, SpotLight, DistantLight, GoniometricLight,
+             ProjectionLight, UniformInfiniteLight, ImageInfiniteLight, PortalInfiniteLight>;
 using Light = LightTypes::Variant;
 
 static_assert(LightTypes::All([]<typename L>() { return LightContract<L>::value; }));
@@ -26,7 +30,8 @@ static_assert(LightTypes::All([]<typename L>() { return LightContract<L>::value;
 /// Makes what `LightSource "type"` describes. nullopt after an error (in the log). Reports unread
 /// parameters.
 std::optional<Light> CreateLight(std::string_view type, ParamDict &params,
-                                 const Transform &renderFromLight);
+                                 const Transform &renderFromLight,
+                                 const Transform &renderFromWorld = Transform());
 /// Makes the lights of `AreaLightSource "type"` on a shape, which must outlive them: one per
 /// primitive, in order. `alpha`: the shape's. Empty after an error.
 std::vector<Light> CreateAreaLights(std::string_view type, ParamDict &params, const Shape &shape,
@@ -69,14 +74,21 @@ inline SampledSpectrum L(const Light &light, Point3f p, Normal3f n, Point2f uv, 
 /// Radiance along a ray that leaves the scene; 0 but for infinite lights.
 inline SampledSpectrum Le(const Light &light, const Ray &ray, const SampledWavelengths &lambda) {
     return Dispatch(light, [&]<typename T>(const T &l) {
-        if constexpr (T::kTraits.isInfinite) return l.Le(ray.d, lambda);
+        if constexpr (T::kTraits.dependsOnPlace)
+            return l.Le(ray.o, ray.d, lambda);
+        else if constexpr (T::kTraits.isInfinite)
+            return l.Le(ray.d, lambda);
         return SampledSpectrum(0.f);
     });
 }
-/// Density of SampleLi for wi, per unit solid angle; 0 but for infinite lights (see PDF_Hit).
-inline float PDF_Li(const Light &light, Vector3f wi) {
+/// Density of SampleLi at `from` for wi, per unit solid angle; 0 but for infinite lights (see
+/// PDF_Hit).
+inline float PDF_Li(const Light &light, Point3f from, Vector3f wi) {
     return Dispatch(light, [&]<typename T>(const T &l) -> float {
-        if constexpr (T::kTraits.isInfinite) return l.PDF_Li(wi);
+        if constexpr (T::kTraits.dependsOnPlace)
+            return l.PDF_Li(from, wi);
+        else if constexpr (T::kTraits.isInfinite)
+            return l.PDF_Li(wi);
         return 0;
     });
 }

@@ -1,11 +1,15 @@
 #include "pbrt/lights/uniform_infinite.h"
 
 #include "pbrt/lights/image_infinite.h"
+#include "pbrt/lights/portal_infinite.h"
 
 namespace pbrt {
 
-std::optional<std::variant<UniformInfiniteLight, ImageInfiniteLight>> UniformInfiniteLight::Create(
-    ParamDict &params, const Transform &renderFromLight) {
+std::optional<std::variant<UniformInfiniteLight, ImageInfiniteLight, PortalInfiniteLight>>
+UniformInfiniteLight::Create(ParamDict &params, const Transform &renderFromLight,
+                             const Transform &renderFromWorld) {
+    if (!params.GetPoint3fArray(PortalInfiniteLight::kPortal).empty())
+        return PortalInfiniteLight::Create(params, renderFromLight, renderFromWorld);
     if (!params.GetFileName(ImageInfiniteLight::kFileName).empty())
         return ImageInfiniteLight::Create(params, renderFromLight);
     const EmissionScale scale = GetScale(params, kLightIlluminance);

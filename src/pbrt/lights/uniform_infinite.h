@@ -10,6 +10,7 @@
 namespace pbrt {
 
 struct ImageInfiniteLight;
+struct PortalInfiniteLight;
 
 /// The same radiance from every direction. Never light-sampled: following the BSDF finds it at
 /// least as well.
@@ -19,9 +20,10 @@ struct UniformInfiniteLight {
         .isInfinite = true, .neverSampled = true, .readsSceneRadius = true};
     static constexpr std::array<std::string_view, 2> kExamples{
         "", R"("float illuminance" 5 "blackbody L" 4000)"};
-    /// An image light where `filename` is given, which an ImageInfiniteLight reads.
-    static std::optional<std::variant<UniformInfiniteLight, ImageInfiniteLight>> Create(
-        ParamDict &params, const Transform &renderFromLight);
+    /// A light through a portal where `portal` is given, else an image light where `filename` is.
+    static std::optional<
+        std::variant<UniformInfiniteLight, ImageInfiniteLight, PortalInfiniteLight>>
+    Create(ParamDict &params, const Transform &renderFromLight, const Transform &renderFromWorld);
 
     void Preprocess(float radius) { sceneRadius = radius; }
     std::optional<LightLiSample> SampleLi(const LightSampleContext &, Point2f,

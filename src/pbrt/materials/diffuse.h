@@ -24,7 +24,7 @@ struct DiffuseMaterial {
     }
     bool IsUniform() const { return reflectance.IsConstant(); }
     DiffuseBxDF GetBxDF(const TextureEvalContext &ctx, const SampledWavelengths &lambda) const {
-        return DiffuseBxDF(reflectance.Evaluate(ctx, lambda));
+        return DiffuseBxDF(ClampToUnit(reflectance.Evaluate(ctx, lambda)));
     }
 };
 static_assert(MaterialType<DiffuseMaterial>);

@@ -47,7 +47,7 @@ void CreateTexture(std::string_view type, ParamDict &params, bool isFloat) {
     TextureTypes::Visit(type, [&]<typename T>() {
         if (isFloat)
             T::CreateFloat(builder);
-        else
+        else if constexpr (SpectrumTextureType<T>)
             T::CreateSpectrum(builder);
     });
     params.ReportUnused();
@@ -81,7 +81,7 @@ constexpr std::array kFamilies{
     Family{"float texture", "Texture \"name\" \"float\"", [] { return From(TextureTypes::kNames); },
            [](std::string_view type, ParamDict &params) { CreateTexture(type, params, true); }},
     Family{"spectrum texture", "Texture \"name\" \"spectrum\"",
-           [] { return From(TextureTypes::kNames); },
+           [] { return SpectrumTextureNames(); },
            [](std::string_view type, ParamDict &params) { CreateTexture(type, params, false); }},
 };
 

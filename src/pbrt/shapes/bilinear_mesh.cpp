@@ -5,6 +5,13 @@
 #include "pbrt/shapes/patch_sampler.h"
 
 namespace pbrt {
+namespace {
+
+// Area lights sample a patch without it: noisier where the picture is uneven, and right.
+constexpr StringParam kEmission{"emissionfilename", "",
+                                "guides how pbrt-v4 samples lights; without effect here"};
+
+}  // namespace
 
 std::optional<BilinearMesh> BilinearMesh::Create(const ShapeArguments &a) {
     MeshReader reader(a, 4);
@@ -12,6 +19,7 @@ std::optional<BilinearMesh> BilinearMesh::Create(const ShapeArguments &a) {
     mesh.n = a.params.GetNormalArray(MeshReader::kN);
     mesh.uv = a.params.GetPoint2fArray(MeshReader::kUV);
     mesh.faceIndices = a.params.GetIntArray(MeshReader::kFaceIndices);
+    a.params.GetFileName(kEmission);
     if (!reader.PointsAndIndices(&mesh.p, &mesh.indices)) return {};
     reader.Check(MeshReader::kN, "points", mesh.p.size(), mesh.n);
     reader.Check(MeshReader::kUV, "points", mesh.p.size(), mesh.uv);

@@ -2,13 +2,36 @@
 
 #include <fmt/format.h>
 
+#include "pbrt/shapes/displacement.h"
 #include "pbrt/shapes/place_mesh.h"
 #include "pbrt/shapes/ply.h"
+#include "pbrt/textures/texture.h"
 
 namespace pbrt {
 namespace {
 
 constexpr StringParam kFileName{"filename", "", "the PLY file, which may be gzipped"};
+constexpr FloatParam kDisplacement{
+    "displacement", "", 0, -kOpen, kOpen, "how far vertices move along their normals, by uv"};
+constexpr FloatParam kEdgeLength{
+    "edgelength", "", 1, kAboveZero, kOpen, "longest edge of displaced triangles, in the world"};
+
+/// The faces as triangles alone.
+TriangleMesh Triangles(PlyMesh ply) {
+    TriangleMesh mesh;
+    mesh.indices = std::move(ply.triangles);
+    mesh.faceIndices = std::move(ply.triangleFaces);
+    const bool areNumbered = !mesh.faceIndices.empty() || !ply.quadFaces.empty();
+    for (size_t i = 0; i < ply.quads.size(); i += 4) {
+        const uint32_t *q = &ply.quads[i];  // 00 10 01 11
+        mesh.indices.insert(mesh.indices.end(), {q[0], q[1], q[3], q[0], q[3], q[2]});
+        if (areNumbered) mesh.faceIndices.insert(mesh.faceIndices.end(), 2, ply.quadFaces[i / 4]);
+    }
+    mesh.p = std::move(ply.p);
+    mesh.n = std::move(ply.n);
+    mesh.uv = std::move(ply.uv);
+    return mesh;
+}
 
 }  // namespace
 
@@ -18,6 +41,8 @@ std::vector<PlyFile::Mesh> PlyFile::Create(const ShapeArguments &a) {
         a.params.Error(fmt::format("{} needs \"string filename\"", a.params.What()));
         return {};
     }
+    const FloatTexture displacement = GetFloatTexture(a.params, a.textures, kDisplacement);
+    const float edgeLength = a.params.GetOneFloat(kEdgeLength);
     std::vector<Mesh> meshes;
     const auto fail = [&](std::string_view what) {
         a.params.Error(kFileName.name, fmt::format("{}: {}", fileName, what));
@@ -37,6 +62,13 @@ std::vector<PlyFile::Mesh> PlyFile::Create(const ShapeArguments &a) {
                                      fileName, ply->otherFaces));
     if (ply->triangles.empty() && ply->quads.empty()) return fail("has no face of 3 or 4 corners");
 
+    if (!displacement.IsConstant() || displacement.Constant() != 0) {
+        TriangleMesh mesh = Triangles(*std::move(ply));
+        if (const auto wrong = Displace(displacement, edgeLength, a.renderFromObject, &mesh))
+            return fail(*wrong);
+        if (const auto wrong = place(std::move(mesh))) return fail(*wrong);
+        return meshes;
+    }
     if (!ply->quads.empty()) {
         BilinearMesh mesh;
         mesh.indices = std::move(ply->quads);

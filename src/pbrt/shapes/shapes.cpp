@@ -54,10 +54,10 @@ auto DispatchEmitting(const Shape &shape, F f) {
 }  // namespace
 
 std::vector<Shape> CreateShapes(const ShapeEntity &entity, ParamDict &params,
-                                const Transform &renderFromObject) {
+                                const Transform &renderFromObject, const NamedTextures &textures) {
     std::vector<Shape> shapes;
     const bool known = ShapeDirectives::Visit(entity.type, [&]<typename S>() {
-        Add(S::Create({entity, params, renderFromObject}), &shapes);
+        Add(S::Create({entity, params, renderFromObject, textures}), &shapes);
     });
     if (!known) {
         params.Error(UnknownName("shape", entity.type, ShapeDirectives::kNames));

@@ -10,9 +10,11 @@
 #include "pbrt/shapes/curve.h"
 #include "pbrt/shapes/cylinder.h"
 #include "pbrt/shapes/disk.h"
+#include "pbrt/shapes/loop_subdiv.h"
 #include "pbrt/shapes/ply_mesh.h"
 #include "pbrt/shapes/sphere.h"
 #include "pbrt/shapes/triangle_mesh.h"
+#include "pbrt/textures/texture.h"
 #include "pbrt/util/type_list.h"
 
 namespace pbrt {
@@ -23,14 +25,15 @@ using Shape = ShapeTypes::Variant;
 
 static_assert(ShapeTypes::All([]<typename S>() { return ShapeContract<S>::value; }));
 
-/// Types that a `Shape` directive may name: the shapes, and files of them.
-using ShapeDirectives = ShapeTypes::Append<PlyFile>;
+/// Types that a `Shape` directive may name: the shapes, and what becomes shapes.
+using ShapeDirectives = ShapeTypes::Append<LoopSubdivision, PlyFile>;
 
 /// Makes the shapes one directive describes: usually one; a PLY file with triangles and quads makes
 /// two. Empty after an error (which is in the log). Parameters that no one read are errors, but
 /// those of an unknown shape.
 std::vector<Shape> CreateShapes(const ShapeEntity &entity, ParamDict &params,
-                                const Transform &renderFromObject);
+                                const Transform &renderFromObject,
+                                const NamedTextures &textures = {});
 
 // The members of base/shape.h, of whichever type it is.
 

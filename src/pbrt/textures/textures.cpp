@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "pbrt/textures/textures.h"
 
@@ -48,6 +50,14 @@ class TextureCosts {
 
 }  // namespace
 
+std::vector<std::string_view> SpectrumTextureNames() {
+    std::vector<std::string_view> names;
+    TextureTypes::ForEach([&]<typename T>() {
+        if constexpr (SpectrumTextureType<T>) names.push_back(T::kName);
+    });
+    return names;
+}
+
 NamedTextures BuildTextures(const SceneDescription &scene, const Transform &renderFromWorld,
                             Diagnostics &log) {
     NamedTextures named;
@@ -64,8 +74,13 @@ NamedTextures BuildTextures(const SceneDescription &scene, const Transform &rend
         const auto create = [&]<typename T>() {
             if (entity.isFloat)
                 number = T::CreateFloat(builder);
-            else
+            else if constexpr (SpectrumTextureType<T>)
                 spectra = T::CreateSpectrum(builder);
+            else
+                return params.Error(fmt::format(
+                    "texture class \"{0}\" makes floats only; make it a float texture and use that "
+                    "as \"texture scale\" of a spectrum texture of class \"scale\"",
+                    T::kName));
             params.ReportUnused();
         };
         if (costs.Add(entity, log) && !TextureTypes::Visit(entity.type, create))

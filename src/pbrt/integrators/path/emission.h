@@ -38,7 +38,7 @@ inline void AddEscapedRadiance(const RenderScene &scene, const PathSettings &set
     ForEachLane(lanes, [&](int i) { lambda[size_t(i)] = &batch->lambda[paths.slot[i]]; });
     for (int index : scene.infiniteLights) {
         LightLePacket le;
-        Le(scene.lights[size_t(index)], paths.d, lambda, lanes, &le);
+        Le(scene.lights[size_t(index)], paths.o, paths.d, lambda, lanes, &le);
         ForEachLane(lanes, [&](int i) {
             batch->L[paths.slot[i]] +=
                 EscapedRadiance(settings, paths.At(i), index, le.L[size_t(i)], le.pdf[i]);
