@@ -2,13 +2,14 @@
 
 #include "pbrt/cameras/orthographic.h"
 #include "pbrt/cameras/perspective.h"
+#include "pbrt/cameras/spherical.h"
 #include "pbrt/scene/description.h"
 #include "pbrt/util/type_list.h"
 
 namespace pbrt {
 
 /// The one list of cameras. Parser, messages and tests follow from it.
-using CameraTypes = TypeList<PerspectiveCamera, OrthographicCamera>;
+using CameraTypes = TypeList<PerspectiveCamera, OrthographicCamera, SphericalCamera>;
 using Camera = CameraTypes::Variant;
 
 template <CameraType C>

@@ -67,8 +67,8 @@ std::string Unfit(const Image &image) {
     const Point2i res = image.Resolution();
     if (res.x != res.y)
         return fmt::format(
-            "is {} x {} pixels; an infinite light needs a square picture in the "
-            "equal-area octahedral layout",
+            "is {} x {} pixels; an infinite light needs a square picture in the equal-area "
+            "octahedral layout: \"imgtool makeequiarea\" makes one of a latitude-longitude picture",
             res.x, res.y);
     if (res.x < 1) return "has no pixels";
     for (std::string_view name : {"R", "G", "B"})
