@@ -51,10 +51,9 @@ TEST(Emission, ASpectrumWithoutVisibleLightIsAnError) {
 }
 
 TEST(LightErrors, UnknownTypesAndParameters) {
-    EXPECT_EQ(LightScene("LightSource \"goniometric\"").Messages(),
-              "l.pbrt:2:1: unknown light \"goniometric\"; pbrt-v4 has it, not built here; use "
-              "\"point\". Known: \"point\", \"spot\", \"distant\" "
-              "or \"infinite\"\n");
+    EXPECT_EQ(LightScene("LightSource \"pint\"").Messages(),
+              "l.pbrt:2:1: unknown light \"pint\"; did you mean \"point\"? Known: " +
+                  QuotedList(LightNames()) + '\n');
     EXPECT_EQ(AreaScene("\"difuse\"", Rectangle(1, 1, 0)).Messages(),
               "l.pbrt:2:1: unknown area light \"difuse\"; did you mean \"diffuse\"? Known: "
               "\"diffuse\"\n");

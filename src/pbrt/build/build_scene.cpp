@@ -111,6 +111,7 @@ std::unique_ptr<RenderScene> BuildScene(SceneDescription &&description,
     scene->film = Film::Create(description, overrides.film, log);
     scene->camera = CreateCamera(description, scene->film.FullResolution(), log);
     const CameraPlacement &placement = Placement(scene->camera);
+    scene->isAnimated = placement.Moves();
     scene->film.SetSpaces(placement.renderFromCamera.Inverse(),
                           placement.renderFromWorld.Inverse());
     scene->film.SetExposure(placement.shutterClose - placement.shutterOpen);

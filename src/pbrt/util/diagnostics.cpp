@@ -165,9 +165,9 @@ std::string UnknownName(std::string_view kind, std::string_view name,
                         std::span<const std::string_view> known) {
     if (const std::string upstream = PbrtHasIt(kind, name); !upstream.empty())
         return fmt::format("{} \"{}\": {}", kind, name, upstream);
-    const OldName *const old = FindOldName(kind, name);
-    const std::string hint =
-        old ? fmt::format("; pbrt-v4 calls it \"{}\".", old->is) : DidYouMean(name, known);
+    if (const OldName *const old = FindOldName(kind, name))
+        return fmt::format("unknown {} \"{}\"; pbrt-v4 calls it \"{}\"", kind, name, old->is);
+    const std::string hint = DidYouMean(name, known);
     return fmt::format("unknown {} \"{}\"{} Known: {}", kind, Shortened(name),
                        hint.empty() ? "." : hint, QuotedList(known));
 }
