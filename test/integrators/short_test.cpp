@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "pbrt/integrators/integrators.h"
 #include "render/render_text.h"
 
 namespace pbrt::test {
@@ -168,8 +169,8 @@ TEST(ShortIntegrators, ForcedDiffuseIsThatOfPath) {
     ExpectSame(of("randomwalk"), of("path"), "randomwalk");
 }
 
-TEST(ShortIntegrators, TheSameBitsForAnyNumberOfThreads) {
-    for (const char *const name : {"simplepath", "randomwalk", "ambientocclusion"}) {
+TEST(EveryIntegrator, TheSameBitsForAnyNumberOfThreads) {
+    for (const std::string_view name : IntegratorTypes::kNames) {
         const std::string text = Picture(fmt::format("\"{}\"", name), Mixed());
         EXPECT_EQ(RenderText(text, {.nThreads = 1}).Data(),
                   RenderText(text, {.nThreads = 2}).Data())

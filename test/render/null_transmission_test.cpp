@@ -49,7 +49,7 @@ double GapOf(Vector3f w) {
 
 TEST(Gaps, PointLightThroughTwoLayers) {
     // Camera rays must not cross the layers: they stand beside the view, between floor and light.
-    const std::string layers = std::string(kVane) + "\n" + Layer(-7) + Layer(-8);
+    const std::string layers = fmt::format("{}\n{}{}", kVane, Layer(-7), Layer(-8));
     const auto seen = [&](const std::string &between) {
         // Depth 1: direct light of the floor only; the camera sees the floor through both layers.
         return Mean(RenderText(Scene(LitFloor(between), 1, 64)))[1];
@@ -61,10 +61,9 @@ TEST(Gaps, PointLightThroughTwoLayers) {
     ASSERT_GT(expected, 0);
     // What the layers scatter towards the camera (R and TRT of two dark vanes, once) adds a little;
     // depth 1 leaves it in, so look at the floor with the layers black: eta = 1 and no melanin.
-    const std::string black =
-        std::string(kVane) +
-        "\"spectrum eta\" [ 300 1 900 1 ] \"spectrum melanin\" [ 300 0 900 0 ]\n" + Layer(-7) +
-        Layer(-8);
+    const std::string black = fmt::format(
+        "{} \"spectrum eta\" [ 300 1 900 1 ] \"spectrum melanin\" [ 300 0 900 0 ]\n{}{}", kVane,
+        Layer(-7), Layer(-8));
     // 16384 samples of a Bernoulli passage of about 0.25: standard error 1.4 %; bound 4 sigma.
     EXPECT_NEAR(seen(black) / expected, 1, 0.056);
     EXPECT_GE(through, expected * 0.94);

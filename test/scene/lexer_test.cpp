@@ -1,5 +1,6 @@
 #include "pbrt/scene/lexer.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -120,8 +121,8 @@ TEST(Lexer, ShowsLongTokensShortened) {
     EXPECT_EQ(Describe({TokenKind::Word, 1, 1, "abc"}), "\"abc\"");
     EXPECT_EQ(Describe({TokenKind::String, 1, 1, "abc"}), "the string \"abc\"");
     EXPECT_EQ(Describe({TokenKind::End, 1, 1, ""}), "the end of the file");
-    const std::string longWord(100, 'x');
-    EXPECT_EQ(Describe({TokenKind::Word, 1, 1, longWord}), '"' + std::string(60, 'x') + "...\"");
+    const std::string longWord(100, 'x'), shown(60, 'x');
+    EXPECT_EQ(Describe({TokenKind::Word, 1, 1, longWord}), fmt::format("\"{}...\"", shown));
 }
 
 }  // namespace

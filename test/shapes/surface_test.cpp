@@ -1,5 +1,7 @@
 // Positions, normals, tangents and (u, v) of hits as pbrt-v4 defines them.
 
+#include <fmt/format.h>
+
 #include "pbrt/util/rng.h"
 #include "pbrt/util/sampling.h"
 #include "shapes/make.h"
@@ -166,9 +168,10 @@ TEST(Triangle, VertexNormalsDecideTheSide) {
 }
 
 TEST(Triangle, TangentsAndFaceIndicesGiven) {
-    const Shape t = MakeOne(std::string(kTriangle) +
-                            R"( "vector3 S" [ 0 1 0  0 1 0  1 1 0 ] "integer faceIndices" 17
-                                "point2 uv" [ 0 0  0 1  1 0 ])");
+    const Shape t =
+        MakeOne(fmt::format("{} {}", kTriangle,
+                            R"("vector3 S" [ 0 1 0  0 1 0  1 1 0 ] "integer faceIndices" 17
+                                "point2 uv" [ 0 0  0 1  1 0 ])"));
     const SurfaceInteraction s = SurfaceAt(t, HitAt(1, 0.25f, 0.5f), {});
     EXPECT_EQ(s.faceIndex, 17);
     ExpectNear(s.dpdus, {0.5f, 1, 0});

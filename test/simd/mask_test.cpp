@@ -33,8 +33,9 @@ TYPED_TEST(EveryMask, BitsThereAndBack) {
         ASSERT_EQ(Any(mask), bits != 0);
         ASSERT_EQ(All(mask), bits == this->kAll);
         ASSERT_EQ(BitsOf(!mask), ~bits & this->kAll);
-        if constexpr (TypeParam::kSize >= 4)  // no vector is shorter than 16 bytes
+        if constexpr (TypeParam::kSize >= 4) {  // no vector is shorter than 16 bytes
             ASSERT_EQ(BitsOf(ConvertMask<4>(mask)), bits);
+        }
         ASSERT_EQ(BitsOf(ConvertMask<8>(mask)), bits);
         typename TypeParam::Integer stored[TypeParam::kSize];
         mask.Store(stored);

@@ -32,7 +32,8 @@ template <typename S, bool kWithTangents>
 [[gnu::always_inline]] inline SurfaceInteractionX16 SurfacesOf(const PacketHits &met,
                                                                LaneBits lanes) {
     ShapePacket<S> shapes;
-    const int first = std::countr_zero(lanes);
+    // One lane at least; the mask tells compilers so.
+    const int first = std::countr_zero(lanes) & (kPacketSize - 1);
     for (int i = 0; i < kPacketSize; ++i)
         shapes[size_t(i)] = std::get_if<S>(met.shape[size_t(lanes >> i & 1 ? i : first)]);
     return S::template SurfacesAt<kWithTangents>(shapes, met, lanes);
