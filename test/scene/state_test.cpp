@@ -36,7 +36,7 @@ TEST(State, RotateIsRightHandedInDegrees) {
 
 TEST(State, WhatAMatrixWithoutInversePlacesIsLeftOut) {
     constexpr char kFlat[] = "[ 1 0 0 0  0 0 0 0  0 0 1 0  0 0 0 1 ]";
-    for (const std::string flat :
+    for (const std::string &flat :
          {std::string("Scale 1 0 1"), std::string("Transform ") + kFlat,
           std::string("ConcatTransform ") + kFlat,
           std::string("ActiveTransform EndTime Scale 0 1 1 ActiveTransform All")}) {

@@ -406,7 +406,7 @@ TEST_F(Ply, NormalsThatAreNoNumbersAreNone) {
         for (const int corner : {0, 1, 2})
             w.Put(int32_t(face + corner));
     }
-    Put("nan.ply", w.text);
+    Put("nan.ply", w.Text());
     const Made made = Make("Shape \"plymesh\" \"string filename\" \"nan.ply\"", folder.string());
     ASSERT_EQ(made.shapes.size(), 1u);
     ASSERT_EQ(made.messages.size(), 1u);
