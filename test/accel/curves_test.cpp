@@ -79,7 +79,7 @@ TEST(Curves, ReportWhereTheyAreMet) {
         if (std::abs(Dot(ray.d, Normalize(at.dpdu))) > 0.8f) continue;
         const Vector3f side = Normalize(Cross(at.dpdu, ray.d));
         const float v = Lerp(rng.Uniform(), 0.1f, 0.9f);
-        ray.o = at.p + (2 * v - 1) * at.radius * side - 3.f * ray.d;
+        ray.o = at.p - (2 * v - 1) * at.radius * side - 3.f * ray.d;
         const auto hits = traced.HitsWith(ray, 0, segment);
         ASSERT_FALSE(hits.empty());
         const SurfaceInteraction s = traced.At(hits[0], ray);

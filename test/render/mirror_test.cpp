@@ -7,6 +7,7 @@
 
 #include "render/cases.h"
 #include "render/render_text.h"
+#include "support/folders.h"
 
 namespace pbrt::test {
 namespace {
@@ -64,14 +65,20 @@ const std::vector<std::string> kMaterials{
     "Material \"dielectric\" \"float uroughness\" .2 \"float vroughness\" .5\n",
     "Material \"coateddiffuse\" \"float roughness\" .3\n",
     "Texture \"t\" \"spectrum\" \"checkerboard\" \"rgb tex1\" [ 1 0 0 ] \"rgb tex2\" [ 0 .2 1 ]\n"
-    "Material \"diffusetransmission\" \"texture reflectance\" \"t\"\n"};
+    "Material \"diffusetransmission\" \"texture reflectance\" \"t\"\n",
+    "Texture \"h\" \"float\" \"imagemap\" \"string filename\" \"" + SourceDir() +
+        "/test/render/cases/height.png\" \"float scale\" .2\n"
+        "Material \"conductor\" \"float uroughness\" .4 \"float vroughness\" .1 "
+        "\"texture displacement\" \"h\"\n",
+    "Material \"featherbarbule\" \"float rotation\" 40 \"string normalmap\" \"" + SourceDir() +
+        "/test/render/cases/normal.png\"\n"};
 
 constexpr char kPatch[] = "Shape \"bilinearmesh\" \"point3 P\" [ -1 -1 0 1 -1 .3 -1 1 .2 1 1 0 ]\n";
 constexpr char kPoints[] = "1 -.5 0 .3 1 0 -.3 -1 0 -1 .5 0";
 std::string Curve(std::string_view type, const std::string &more = "",
                   std::string_view points = kPoints) {
     return fmt::format(
-        "Shape \"curve\" \"string type\" \"{}\" \"point3 P\" [ {} ] \"float width\" .7 {}\n", type,
+        "Shape \"curve\" \"string type\" \"{}\" \"point3 P\" [ {} ] \"float width\" .5 {}\n", type,
         points, more);
 }
 const std::string kRibbon = Curve("ribbon", "\"normal N\" [ .3 0 1  -.1 .4 1 ]");

@@ -81,17 +81,18 @@ SurfaceInteraction StraightHit(CurveType type, float y, bool flip = false) {
     return SurfaceAt(Shape(c), HitAt(2, 0.5f, 0), Ray{{0.5f, y, -2}, {0, 0, 1}});
 }
 
-TEST(Curve, FrameIsRightHandedAndFacesTheRay) {
+/// As in pbrt-v4: v grows to the left of dp/du for one who looks along the ray.
+TEST(Curve, FacesTheRayAndIsLeftHanded) {
     for (float y : {-0.2f, 0.f, 0.1f}) {
         for (CurveType type : {CurveType::Flat, CurveType::Cylinder}) {
             const SurfaceInteraction s = StraightHit(type, y);
-            ExpectNear(s.n, Normalize(Cross(s.dpdu, s.dpdv)));
+            ExpectNear(s.n, Normalize(Cross(s.dpdv, s.dpdu)));
             EXPECT_LT(s.n.z, 0);
             EXPECT_FLOAT_EQ(Length(s.dpdv), 0.5f);
             ExpectNear(s.dpdu, {1, 0, 0});
             EXPECT_FLOAT_EQ(s.uv.x, 0.5f);
-            // dpdv = -y here.
-            EXPECT_FLOAT_EQ(s.uv.y, 0.5f - y / 0.5f);
+            // dpdv = y here.
+            EXPECT_FLOAT_EQ(s.uv.y, 0.5f + y / 0.5f);
         }
         ExpectNear(StraightHit(CurveType::Flat, y).n, {0, 0, -1});
         ExpectNear(StraightHit(CurveType::Flat, y, true).n, {0, 0, 1});
@@ -157,12 +158,12 @@ TEST(Curve, RibbonHasTheNormalsGiven) {
         const float angle = mesh.uv[i].x * Pi / 2;
         ExpectNear(mesh.n[i], {0, std::sin(angle), std::cos(angle)});
         ExpectNear(mesh.p[i], Vector3f{3 * mesh.uv[i].x, 0, 0} +
-                                  (mesh.uv[i].y - 0.5f) * 0.5f *
+                                  (0.5f - mesh.uv[i].y) * 0.5f *
                                       Vector3f{0, std::cos(angle), -std::sin(angle)});
     }
     for (uint32_t i = 0; i < mesh.NPrimitives(); ++i) {
         const SurfaceInteraction s = SurfaceAt(shape, HitAt(1, 0.3f, 0.3f, i), Ray{});
-        EXPECT_GT(Dot(s.n, Cross(s.dpdu, s.dpdv)), 0);
+        EXPECT_LT(Dot(s.n, Cross(s.dpdu, s.dpdv)), 0);
         EXPECT_GT(Dot(s.n, s.ns), 0.99f);
         EXPECT_GT(Dot(s.dpdu, Vector3f{1, 0, 0}), 2.9f);
     }
@@ -170,9 +171,14 @@ TEST(Curve, RibbonHasTheNormalsGiven) {
 
 TEST(Curve, LeavesByAWidthOnTheSideOfTheRay) {
     const SurfaceInteraction s = StraightHit(CurveType::Cylinder, 0.1f);
-    EXPECT_NEAR(Length(s.OffsetOrigin(s.n) - s.p), 0.5f, 1e-5f);
-    EXPECT_GT(Dot(s.OffsetOrigin(s.n) - s.p, s.n), 0);
-    EXPECT_LT(Dot(s.OffsetOrigin(-s.n) - s.p, s.n), 0);
+    for (const float side : {1.f, -1.f}) {
+        const Vector3f w = Normalize(side * s.n + Vector3f{0.3f, 0, 0});
+        // The ray passes here, a width behind its origin.
+        const Vector3f off = s.OffsetOrigin(w) + 0.5f * w - s.p;
+        const float expected = 0.5f * (std::abs(s.n.x) + std::abs(s.n.y) + std::abs(s.n.z));
+        EXPECT_NEAR(Dot(off, side * s.n), expected, 1e-5f);
+        EXPECT_NEAR(Length(off), expected, 1e-5f);
+    }
 }
 
 TEST(Curve, BoundsHoldThePoints) {

@@ -18,6 +18,8 @@ struct SurfaceInteractionT {
     Vec3<T> dpdus;       ///< shading tangent: the BSDF frame's x (S where given)
     Vec2<T> uv;
     IntOf<T> faceIndex{};
+    T startBehind{};  ///< rays that leave start so far back against their direction; 0 but for
+                      ///< curves, see CurveSet::SurfaceAt
 
     /// x along dpdus, y on dpdv's side, z = ns. Left-handed where (dpdu, dpdv, n) are, as on all
     /// mirrored surfaces: what a material does is then mirrored with its surface.
@@ -34,10 +36,10 @@ struct SurfaceInteractionT {
         frame.z = Select(Dot(frame.z, d) > 1e-6f, -frame.z, frame.z);
         return frame;
     }
-    /// Origin for a ray that leaves into direction w without meeting this surface again.
+    /// Origin for a ray that leaves into direction w, unit, without meeting this surface again.
     Vec3<T> OffsetOrigin(Vec3<T> w) const {
         const T d = Dot(Abs(n), pError);
-        return p + n * Select(Dot(w, n) < 0, -d, d);
+        return p + n * Select(Dot(w, n) < 0, -d, d) - startBehind * w;
     }
 };
 using SurfaceInteraction = SurfaceInteractionT<float>;
@@ -45,8 +47,8 @@ using SurfaceInteractionX16 = SurfaceInteractionT<FloatX16>;
 
 /// Lane i.
 inline SurfaceInteraction Lane(const SurfaceInteractionX16 &s, int i) {
-    return {Lane(s.p, i),    Lane(s.pError, i), Lane(s.n, i),  Lane(s.ns, i), Lane(s.dpdu, i),
-            Lane(s.dpdv, i), Lane(s.dpdus, i),  Lane(s.uv, i), s.faceIndex[i]};
+    return {Lane(s.p, i),    Lane(s.pError, i), Lane(s.n, i),  Lane(s.ns, i),  Lane(s.dpdu, i),
+            Lane(s.dpdv, i), Lane(s.dpdus, i),  Lane(s.uv, i), s.faceIndex[i], s.startBehind[i]};
 }
 inline void SetLane(SurfaceInteractionX16 *s, int i, const SurfaceInteraction &value) {
     SetLane(&s->p, i, value.p);
@@ -58,6 +60,7 @@ inline void SetLane(SurfaceInteractionX16 *s, int i, const SurfaceInteraction &v
     SetLane(&s->dpdus, i, value.dpdus);
     SetLane(&s->uv, i, value.uv);
     s->faceIndex.Set(i, value.faceIndex);
+    s->startBehind.Set(i, value.startBehind);
 }
 
 }  // namespace pbrt

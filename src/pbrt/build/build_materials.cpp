@@ -53,6 +53,7 @@ class MaterialMaker {
         std::optional<Material> material = CreateMaterial(type, params, textures);
         if (!material) return kMissingMaterialId;
         const MaterialId id = scene.materials.Add(std::move(*material));
+        if (scene.materials.BumpReadsUV(size_t(id))) table.texturedByUV.insert(id);
         if (const std::string_view laid = scene.materials.LaidByUV(size_t(id)); !laid.empty())
             table.laidByUV.emplace(id, laid);
         return id;

@@ -122,9 +122,10 @@ std::unique_ptr<RenderScene> BuildScene(SceneDescription &&description,
     }
 
     const NamedTextures textures = BuildTextures(description, placement.renderFromWorld, log);
-    scene->filtersTextures =
-        textures.readFootprints && !description.options.disableTextureFiltering;
     MaterialTable materials = BuildMaterials(description, textures, *scene, log);
+    // Reliefs take their differences over half a pixel.
+    scene->filtersTextures = (textures.readFootprints || scene->materials.AnyBump()) &&
+                             !description.options.disableTextureFiltering;
     const BuiltShapes shapes = BuildShapes(description, textures, materials, *scene, log);
     if (log.HasErrors()) return nullptr;
 

@@ -5,28 +5,27 @@
 namespace pbrt {
 namespace {
 
-template <typename M>
-float NullTransmissionAt(const RenderScene &scene, const M &material, bool uniform,
-                         const SurfaceInteraction &sp, Vector3f d) {
-    if constexpr (M::kTraits.nullTransmission) {
-        const TextureEvalContext ctx = uniform ? TextureEvalContext{} : scene.TextureContext(sp);
-        const Frame frame = BSDFFrame(material, sp, ctx, d);
-        return material.NullTransmission(ctx, frame.ToLocal(Normalize(-d)));
-    } else {
-        return 0;
-    }
+float NullTransmissionOfOne(const RenderScene &scene, MaterialId id, const SurfaceInteraction &sp,
+                            Vector3f d) {
+    const Material &any = scene.materials.Data()[id];
+    return Dispatch(any, [&]<typename M>(const M &material) -> float {
+        if constexpr (M::kTraits.nullTransmission) {
+            const TextureEvalContext ctx = scene.materials.Facts(size_t(id)).isUniform
+                                               ? TextureEvalContext{}
+                                               : scene.TextureContext(sp);
+            const Frame frame = BSDFFrame(material, WithBump(any, ctx, sp), ctx, d);
+            return material.NullTransmission(ctx, frame.ToLocal(Normalize(-d)));
+        } else {
+            return 0;
+        }
+    });
 }
 
 /// Share of light from direction d that passes straight through; of a mix, the expected one.
 float NullTransmissionAt(const RenderScene &scene, MaterialId id, const SurfaceInteraction &sp,
                          Vector3f d) {
     const MixMaterial *const mix = scene.AsMix(id);
-    if (!mix) {
-        const bool isUniform = scene.materials.Facts(size_t(id)).isUniform;
-        return Dispatch(scene.materials.Data()[id], [&](const auto &m) {
-            return NullTransmissionAt(scene, m, isUniform, sp, d);
-        });
-    }
+    if (!mix) return NullTransmissionOfOne(scene, id, sp, d);
     const float share = mix->amount.Evaluate(scene.TextureContext(sp));
     float gap = 0;
     if (share < 1) gap += (1 - share) * NullTransmissionAt(scene, mix->materials[0], sp, d);

@@ -9,7 +9,15 @@
 
 namespace pbrt {
 
-/// The frame in which a material's BSDF lives, for a ray of direction d.
+/// sp as the material's relief has it.
+inline SurfaceInteraction WithBump(const Material &material, const TextureEvalContext &ctx,
+                                   const SurfaceInteraction &sp) {
+    SurfaceInteraction tilted = sp;
+    if (material.bump) material.bump->Tilt(ctx, &tilted);
+    return tilted;
+}
+
+/// The frame in which a material's BSDF lives, for a ray of direction d; sp: with its relief.
 template <MaterialType M>
 Frame BSDFFrame(const M &material, const SurfaceInteraction &sp, const TextureEvalContext &ctx,
                 Vector3f d) {
@@ -41,8 +49,9 @@ decltype(auto) VisitBSDF(const RenderScene &scene, const Hit &hit, const Surface
     const MaterialId id =
         scene.MaterialMet(scene.geometries[hit.geometry].material, sp, ray.d, clamped);
     const TextureEvalContext ctx = scene.TextureContext(sp, clamped);
-    return Dispatch(scene.materials.Data()[id], [&](const auto &material) {
-        const Frame frame = BSDFFrame(material, sp, ctx, ray.d);
+    const Material &any = scene.materials.Data()[id];
+    return Dispatch(any, [&](const auto &material) {
+        const Frame frame = BSDFFrame(material, WithBump(any, ctx, sp), ctx, ray.d);
         const auto bxdf = material.GetBxDF(ctx, *lambda);
         if (scene.options.forceDiffuse) [[unlikely]]
             return visit(frame, DiffuseOf(bxdf, frame.ToLocal(-ray.d)));

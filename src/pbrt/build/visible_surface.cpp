@@ -13,6 +13,8 @@ std::optional<VisibleSurface> FindVisibleSurface(const RenderScene &scene, const
     ApproximateStep(scene.camera, sp.p, sp.n, 1, &seen.dpdx, &seen.dpdy);
     seen.albedo =
         VisitBSDF(scene, hit, sp, ray, &lambda, nullptr, [&](const Frame &frame, const auto &bxdf) {
+            // A fibre's frame faces the ray, its normal need not.
+            seen.ns = Dot(frame.z, sp.ns) < 0 ? -frame.z : frame.z;
             return AlbedoOf(bxdf, frame.ToLocal(-ray.d));
         });
     return seen;

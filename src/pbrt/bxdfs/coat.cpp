@@ -94,7 +94,8 @@ class Coat::Boundary {
 
 Coat::Coat(float eta, float depth, float alphaX, float alphaY) : Coat(eta, depth) {
     smoothMean = SmoothMean();
-    if (std::max(alphaX, alphaY) < kSmooth) return;
+    if (eta == 1) smoothBelow = Infinity;  // no boundary, so no facets either
+    if (std::max(alphaX, alphaY) < smoothBelow) return;
     smoothBelow = 0;
     if (alphaX == alphaY) {
         SetColumns(alphaX, alphaX, 1);
@@ -122,6 +123,10 @@ Coat::Coat(float eta, float depth, float alphaX, float alphaY) : Coat(eta, depth
 Coat Coat::ForTextures(float eta, float depth) {
     Coat coat(eta, depth);
     coat.smoothMean = coat.SmoothMean();
+    if (eta == 1) {
+        coat.smoothBelow = Infinity;
+        return coat;
+    }
     coat.SetColumns(kSmooth, kRoughest, kTexturedColumns);
     const auto boundary = [&](int column) {
         return Boundary(coat, coat.AlphaOf(column), coat.AlphaOf(column), 0);

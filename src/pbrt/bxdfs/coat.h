@@ -38,6 +38,7 @@ class Coat {
     };
     Averages Mean(float alpha) const;
     float Eta() const { return eta; }
+    float Depth() const { return depth; }
 
   private:
     static constexpr int kCosines = 64;  ///< nodes at the squares of equal steps: close at grazing

@@ -49,6 +49,17 @@ inline SampledSpectrum RealPart(SampledSpectrum sum, SampledSpectrum difference,
     return SampledSpectrum(Select(d < 0, smaller.Values(), larger.Values()));
 }
 
+/// A metal's index of refraction and absorption coefficient.
+struct ComplexIndex {
+    SampledSpectrum eta, k;
+};
+/// The one with eta = 1 that reflects r at normal incidence, at most .9999:
+/// R = k^2 / (4 + k^2).
+inline ComplexIndex IndexOf(SampledSpectrum r) {
+    const SampledSpectrum clamped(Clamp(r.Values(), 0.f, 0.9999f));
+    return {SampledSpectrum(1), 2 * Sqrt(clamped) / Sqrt(SampledSpectrum(1) - clamped)};
+}
+
 /// Reflectance of unpolarised light at a metal of complex index eta + i k, relative to the near
 /// side; cosTheta_i in [0, 1]. Born and Wolf, sec. 14.2, in real numbers: with
 /// (a + i b)^2 = (eta + i k)^2 - sin^2, R_s = |cos - a - i b|^2 / |cos + a + i b|^2 and

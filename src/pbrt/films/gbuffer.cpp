@@ -22,13 +22,14 @@ GBufferFilm GBufferFilm::Create(ParamDict &params) {
 }
 
 void GBufferFilm::Add(Sums *sums, const FilmSample &sample) const {
+    sums->weightOfAll += sample.weight;
+    const VisibleSurface *const surface = sample.surface;
+    if (!surface) return;
     ++sums->n;
     for (int c = 0; c < 3; ++c) {
         sums->rgb[size_t(c)][0] += sample.rgb[c];
         sums->rgb[size_t(c)][1] += Sqr(double(sample.rgb[c]));
     }
-    const VisibleSurface *const surface = sample.surface;
-    if (!surface) return;
     const RGB albedo = sample.albedo;
     const Transform &t = outputFromRender;
     const Point3f p = t.Point(surface->p);
@@ -83,6 +84,9 @@ void GBufferFilm::Write(const Sums &sums, float *channels) const {
     const double weight = sums.weight.Value();
     for (size_t i = 0; i < kSurfaceChannels; ++i)
         channels[i] = weight == 0 ? 0 : float(sums.surface[i].Value() / weight);
+    const double ofAll = sums.weightOfAll.Value();
+    for (int c = Albedo; c < Albedo + 3; ++c)
+        channels[c] = ofAll == 0 ? 0 : float(sums.surface[size_t(c)].Value() / ofAll);
     for (int first : {N, Ns}) {
         float *const n = channels + first;
         const float length = std::sqrt(Sqr(n[0]) + Sqr(n[1]) + Sqr(n[2]));
@@ -99,7 +103,7 @@ void GBufferFilm::Write(const Sums &sums, float *channels) const {
         const double squares = std::max(sums.rgb[c][1].Value() - n * mean * mean, 0.);
         const double v = sums.n < 2 ? 0 : squares / (n - 1);
         variance[c] = float(v);
-        relative[c] = mean == 0 ? 0 : float(v / Sqr(mean));
+        relative[c] = mean == 0 ? 0 : float(v / mean);
     }
 }
 

@@ -5,9 +5,9 @@
 
 namespace pbrt {
 
-/// Film `gbuffer`: means over what camera rays see first of position, depth slopes, normals, uv and
-/// albedo (each weighted by the pixel filter; 0 where nothing is seen), and the variance of the
-/// samples' R, G, B, also relative to the squared mean.
+/// Film `gbuffer`: means over what camera rays see first of position, depth slopes, normals and uv
+/// (weighted by the pixel filter; 0 where nothing is seen), the mean albedo over all camera rays,
+/// and the variance of R, G, B over those that see something, also relative to their mean.
 class GBufferFilm {
   public:
     static constexpr std::string_view kName = "gbuffer";
@@ -15,8 +15,8 @@ class GBufferFilm {
     static constexpr size_t kSurfaceChannels = 16;
     /// On the heap, so that pixels of other films stay small.
     struct Sums {
-        int64_t n = 0;
-        ExactSum weight;                           ///< of the samples that see something
+        int64_t n = 0;                             ///< samples that see something
+        ExactSum weight, weightOfAll;              ///< of these, and of all
         std::vector<ExactSum> surface;             ///< kSurfaceChannels, weighted
         std::vector<std::array<ExactSum, 2>> rgb;  ///< R, G, B and their squares, not weighted
     };
@@ -31,6 +31,7 @@ class GBufferFilm {
     }
     Sums NewSums() const {
         return {0,
+                {},
                 {},
                 std::vector<ExactSum>(kSurfaceChannels),
                 std::vector<std::array<ExactSum, 2>>(3)};

@@ -42,11 +42,11 @@ struct DiffuseAreaLight {
         if (!at || !(at->pdf > 0)) return std::nullopt;
         const Vector3f d = at->p - ctx.p;
         const float d2 = LengthSquared(d), cosine = -Dot(at->n, d);
-        if (!(d2 > 0) || !(cosine > 0 || s.twoSided)) return std::nullopt;
+        const float off = Dot(Abs(at->n), at->pError);
+        if (!(d2 > 0) || !(cosine > kInPlane * off || s.twoSided)) return std::nullopt;
         float strength = scale;
         if (!s.alpha.IsConstant() || s.alpha.Constant() != 1) strength *= Opacity(*at);
         if (strength == 0) return std::nullopt;
-        const float off = Dot(Abs(at->n), at->pError);
         return LightLiSample{s.radiance.Sample(lambda) * strength, d * (1 / std::sqrt(d2)), at->pdf,
                              at->p + at->n * (cosine > 0 ? off : -off), s.invisible};
     }
@@ -80,6 +80,11 @@ struct DiffuseAreaLight {
     float scale = 1;
 
   private:
+    /// Receivers within so many errors of a one-sided light's plane are in it, and not lit: the
+    /// light's own back, above all, which else rounding would light wherever alpha lets light
+    /// through. Both points' errors and that of their difference, twice.
+    static constexpr float kInPlane = 6;
+
     /// Rectangles that let no light through, in the given lanes, one at least.
     static void SampleRectangles(const LightsOf<DiffuseAreaLight> &light,
                                  const LightSampleContextX16 &ctx, const Point2fX16 &u,
@@ -115,9 +120,10 @@ inline void DiffuseAreaLight::SampleRectangles(const LightsOf<DiffuseAreaLight> 
     const auto at = r.SampleFrom(ctx.p, u);
     const Vector3fX16 d = at.p - ctx.p;
     const FloatX16 d2 = LengthSquared(d), cosine = -Dot(r.Normal(), d);
-    const LaneBits lit = lanes & BitsOf((at.pdf > 0) & (d2 > 0)) & (BitsOf(cosine > 0) | twoSided);
-    const MaskX16 mask = MaskOf(lit);
     const FloatX16 off = Dot(Abs(r.Normal()), r.Error());
+    const LaneBits lit =
+        lanes & BitsOf((at.pdf > 0) & (d2 > 0)) & (BitsOf(cosine > kInPlane * off) | twoSided);
+    const MaskX16 mask = MaskOf(lit);
     samples->wi = Select(mask, d * (1 / Sqrt(d2)), samples->wi);
     samples->pdf = Select(mask, at.pdf, samples->pdf);
     samples->pLight =

@@ -5,9 +5,9 @@
 namespace pbrt {
 namespace {
 
-constexpr FloatParam kConeAngle{"coneangle", "degrees", 30, 0, 180, "half angle of the cone"};
+constexpr FloatParam kConeAngle{"coneangle", "deg", 30, 0, 180, "half angle of the cone"};
 constexpr FloatParam kConeDelta{
-    "conedeltaangle", "degrees", 5, 0, 180, "width of the falloff inside the cone"};
+    "conedeltaangle", "deg", 5, 0, 180, "width of the falloff inside the cone"};
 
 /// Whether a transform only turns, mirrors, moves and scales evenly, to within 1e-4.
 bool KeepsAngles(const Transform &t) {

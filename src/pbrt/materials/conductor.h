@@ -26,15 +26,10 @@ struct ConductorMaterial {
     }
     ConductorBxDF GetBxDF(const TextureEvalContext &ctx, const SampledWavelengths &lambda) const {
         const Vector2f alpha = roughness.Alpha(ctx);
-        if (!reflectance)
-            return ConductorBxDF(eta.Evaluate(ctx, lambda), k.Evaluate(ctx, lambda), alpha.x,
-                                 alpha.y);
-        // With eta = 1, R = k^2 / (4 + k^2): the k that reflects r at normal incidence.
-        SampledSpectrum r = reflectance->Evaluate(ctx, lambda);
-        for (int i = 0; i < NSpectrumSamples; ++i)
-            r.Set(i, std::clamp(r[i], 0.f, 0.9999f));
-        const SampledSpectrum kOfR = 2 * Sqrt(r) / Sqrt(SampledSpectrum(1) - r);
-        return ConductorBxDF(SampledSpectrum(1), kOfR, alpha.x, alpha.y);
+        const ComplexIndex index =
+            reflectance ? IndexOf(reflectance->Evaluate(ctx, lambda))
+                        : ComplexIndex{eta.Evaluate(ctx, lambda), k.Evaluate(ctx, lambda)};
+        return ConductorBxDF(index.eta, index.k, alpha.x, alpha.y);
     }
     std::string_view LaidByUV() const { return roughness.LaidByUV(); }
     std::string Warnings(const ClampCounts &counts) const {

@@ -8,12 +8,13 @@ constexpr SpectrumParam kEtaSpectrum{"eta", SpectrumType::Unbounded, "", "the sa
 
 }  // namespace
 
+Spectrum DielectricMaterial::GetEta(ParamDict &params) {
+    if (params.Has(kEta)) return Spectrum(params.GetOneFloat(kEta));
+    return params.GetOneSpectrum(kEtaSpectrum).value_or(Spectrum(kEta.def));
+}
+
 DielectricMaterial DielectricMaterial::Create(ParamDict &params, const NamedTextures &named) {
-    DielectricMaterial m;
-    m.eta = params.Has(kEta) ? Spectrum(params.GetOneFloat(kEta))
-                             : params.GetOneSpectrum(kEtaSpectrum).value_or(Spectrum(kEta.def));
-    m.roughness = Roughness::Create(params, named);
-    return m;
+    return {GetEta(params), Roughness::Create(params, named)};
 }
 
 }  // namespace pbrt

@@ -17,6 +17,8 @@ struct DielectricMaterial {
     Spectrum eta{1.5f};
     Roughness roughness;
 
+    /// The parameter `eta`; of thindielectric, too.
+    static Spectrum GetEta(ParamDict &params);
     static DielectricMaterial Create(ParamDict &params, const NamedTextures &named);
     bool IsUniform() const { return roughness.IsUniform(); }
     DielectricBxDF GetBxDF(const TextureEvalContext &ctx, SampledWavelengths &lambda) const {

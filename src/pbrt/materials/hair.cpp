@@ -18,7 +18,7 @@ constexpr FloatParam kPheomelanin{"pheomelanin", "", 0, 0, 1e6f, "red and yellow
 constexpr FloatParam kEta{"eta", "", 1.55f, 1, 1e3f, "index of refraction of the inside"};
 constexpr FloatParam kBetaM{"beta_m", "", 0.3f, 0.01f, 1, "roughness along the fibre"};
 constexpr FloatParam kBetaN{"beta_n", "", 0.3f, 0.01f, 1, "roughness around the fibre"};
-constexpr FloatParam kAlpha{"alpha", "degrees", 2, -90, 90, "tilt of the scales"};
+constexpr FloatParam kAlpha{"alpha", "deg", 2, -90, 90, "tilt of the scales"};
 }  // namespace
 
 HairMaterial HairMaterial::Create(ParamDict &params, const NamedTextures &named) {

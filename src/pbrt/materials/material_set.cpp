@@ -8,7 +8,7 @@ namespace {
 MaterialFacts FactsOf(const Material &material) {
     return Dispatch(material, [&]<typename M>(const M &m) {
         bool isUniform = false;
-        if constexpr (M::kTraits.canBeUniform) isUniform = m.IsUniform();
+        if constexpr (M::kTraits.canBeUniform) isUniform = m.IsUniform() && !material.bump;
         return MaterialFacts{uint8_t(material.index()), isUniform, M::kTraits.nullTransmission};
     });
 }
@@ -27,8 +27,13 @@ void MaterialSet::Reserve(size_t count) {
 
 int MaterialSet::Add(Material material) {
     facts.push_back(FactsOf(material));
+    anyBump |= material.bump != nullptr;
     materials.push_back(std::move(material));
     return int(materials.size()) - 1;
+}
+
+bool MaterialSet::BumpReadsUV(size_t i) const {
+    return materials[i].bump && materials[i].bump->ReadsUV();
 }
 
 std::string_view MaterialSet::LaidByUV(size_t i) const {

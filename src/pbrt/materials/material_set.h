@@ -14,7 +14,8 @@ class Material;  // one of the types listed in materials.h
 /// Properties of a material that are known without its type.
 struct MaterialFacts {
     uint8_t type;           ///< place in MaterialTypes
-    bool isUniform;         ///< the same at every point; see MaterialTraits::canBeUniform
+    bool isUniform;         ///< the same at every point, without relief; see
+                            ///< MaterialTraits::canBeUniform
     bool nullTransmission;  ///< see MaterialTraits::nullTransmission
 };
 
@@ -33,6 +34,10 @@ class MaterialSet {
     const MaterialFacts &Facts(size_t i) const { return facts[i]; }
     /// All of them, one after another; use needs materials.h.
     const Material *Data() const { return materials.data(); }
+    /// Whether any has a BumpMap.
+    bool AnyBump() const { return anyBump; }
+    /// Whether its BumpMap looks at the surface's uv.
+    bool BumpReadsUV(size_t i) const;
     /// See MaterialTraits::laidByUV; empty where nothing is.
     std::string_view LaidByUV(size_t i) const;
     /// Warnings of the materials after rendering, one sentence for each that has any.
@@ -41,6 +46,7 @@ class MaterialSet {
   private:
     std::vector<Material> materials;
     std::vector<MaterialFacts> facts;
+    bool anyBump = false;
 };
 
 }  // namespace pbrt

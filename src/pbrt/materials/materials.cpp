@@ -13,8 +13,13 @@ std::vector<std::string_view> MaterialNames() {
 std::optional<Material> CreateMaterial(std::string_view type, ParamDict &params,
                                        const NamedTextures &named) {
     std::optional<Material> material;
-    const bool known = MaterialTypes::Visit(
-        type, [&]<typename M>() { material.emplace(M::Create(params, named)); });
+    const bool known = MaterialTypes::Visit(type, [&]<typename M>() {
+        material.emplace(M::Create(params, named));
+        if constexpr (M::kTraits.fibre)
+            BumpMap::Ignore(params);
+        else
+            material->bump = BumpMap::Create(params, named);
+    });
     if (!known) {
         const std::vector<std::string_view> names = MaterialNames();
         params.Error(UnknownName("material", type, names));

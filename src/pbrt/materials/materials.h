@@ -3,6 +3,8 @@
 #include <optional>
 
 #include "pbrt/bxdfs/bxdf_packet.h"
+#include "pbrt/materials/bump_map.h"
+#include "pbrt/materials/coated_conductor.h"
 #include "pbrt/materials/coated_diffuse.h"
 #include "pbrt/materials/conductor.h"
 #include "pbrt/materials/dielectric.h"
@@ -10,6 +12,7 @@
 #include "pbrt/materials/diffuse_transmission.h"
 #include "pbrt/materials/feather_barbule.h"
 #include "pbrt/materials/hair.h"
+#include "pbrt/materials/thin_dielectric.h"
 #include "pbrt/util/type_list.h"
 
 // Who includes this compiles anew whenever a material is added. What can be said of a material
@@ -26,12 +29,16 @@ struct InterfaceMaterial {
 /// renderer, bsdftool and the tests follow from it. At most 127 types.
 using MaterialTypes =
     TypeList<DiffuseMaterial, ConductorMaterial, DielectricMaterial, FeatherBarbuleMaterial,
-             HairMaterial, DiffuseTransmissionMaterial, CoatedDiffuseMaterial>;
+             HairMaterial, DiffuseTransmissionMaterial, CoatedDiffuseMaterial,
+             ThinDielectricMaterial, CoatedConductorMaterial>;
 
 /// One of MaterialTypes. A class, so that others can name it without the list.
 class Material : public MaterialTypes::Variant {
   public:
     using MaterialTypes::Variant::Variant;
+
+    /// Tilts the shading frame before the material is asked for anything; null: nothing does.
+    std::shared_ptr<const BumpMap> bump;
 };
 
 template <MaterialType M>

@@ -3,24 +3,25 @@
 namespace pbrt {
 namespace {
 
-constexpr FloatParam kRoughness{"roughness", "", 0, 0, 1e6f, "microfacet roughness; 0: smooth"};
-constexpr FloatParam kURoughness{
-    "uroughness", "", 0, 0, 1e6f, "roughness along dp/du; not given: roughness"};
-constexpr FloatParam kVRoughness{
-    "vroughness", "", 0, 0, 1e6f, "roughness along dp/dv; not given: roughness"};
 constexpr BoolParam kRemap{"remaproughness", true,
                            "microfacet alpha is the square root of the roughness, not itself"};
 
 }  // namespace
 
-Roughness Roughness::Create(ParamDict &params, const NamedTextures &named) {
-    const BoundedTexture both(params, named, kRoughness);
+const RoughnessRows kRoughnessRows{
+    {"roughness", "", 0, 0, 1e6f, "microfacet roughness; 0: smooth"},
+    {"uroughness", "", 0, 0, 1e6f, "roughness along dp/du; not given: roughness"},
+    {"vroughness", "", 0, 0, 1e6f, "roughness along dp/dv; not given: roughness"}};
+
+Roughness Roughness::Create(ParamDict &params, const NamedTextures &named,
+                            const RoughnessRows &rows) {
+    const BoundedTexture both(params, named, rows.both);
     const auto overridden = [&](const FloatParam &row) {
         return params.HasOrTexture(row) ? BoundedTexture(params, named, row) : both;
     };
     Roughness r;
-    r.u = overridden(kURoughness);
-    r.v = overridden(kVRoughness);
+    r.u = overridden(rows.u);
+    r.v = overridden(rows.v);
     r.remap = params.GetOneBool(kRemap);
     return r;
 }

@@ -4,12 +4,20 @@
 
 namespace pbrt {
 
+/// The parameters of one surface's roughness.
+struct RoughnessRows {
+    FloatParam both, u, v;
+};
+/// `roughness`, `uroughness` and `vroughness`.
+extern const RoughnessRows kRoughnessRows;
+
 /// `roughness`, `uroughness`, `vroughness` and `remaproughness` of pbrt's microfacet materials.
 struct Roughness {
     BoundedTexture u, v;
     bool remap = true;
 
-    static Roughness Create(ParamDict &params, const NamedTextures &named);
+    static Roughness Create(ParamDict &params, const NamedTextures &named,
+                            const RoughnessRows &rows = kRoughnessRows);
     /// Microfacet alpha along x and y: the square root of the roughness where `remaproughness`.
     Vector2f Alpha(const TextureEvalContext &ctx) const {
         const float a = u.Evaluate(ctx), b = v.Evaluate(ctx);

@@ -178,7 +178,7 @@ class CurveReader {
                 for (float v : {0.f, 1.f}) {
                     mesh.p.push_back(at.p + (2 * v - 1) * at.radius * side);
                     mesh.n.push_back((IsFlipped() ? -1.f : 1.f) * UnitCross(at.dpdu, side));
-                    mesh.uv.push_back({u, v});
+                    mesh.uv.push_back({u, 1 - v});
                 }
                 const uint32_t last = uint32_t(mesh.p.size());
                 for (uint32_t back : {4, 2, 1, 4, 1, 3})

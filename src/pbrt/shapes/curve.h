@@ -43,10 +43,14 @@ struct CurveSet {
     Bounds3f PrimitiveBounds(uint32_t primitive) const {
         return BoundsOf(&points[first[primitive]], 4);
     }
-    /// uv: u from 0 to 1 along each segment, v across the width, growing along dpdv. dpdu, dpdv and
-    /// the direction to the ray's origin are right-handed; left-handed where a transform has
-    /// mirrored the curve, be it an instance's or its own. A ray that leaves starts a whole width
-    /// off, for the curve turns to face it.
+    /// uv: u from 0 to 1 along each segment, v across the width, growing along dpdv: to the left of
+    /// dpdu as seen along the ray, as in pbrt-v4; to the right where a transform has
+    /// mirrored the curve, be it an instance's or its own.
+    ///
+    /// A ray that leaves passes the point a whole width off along each axis, as in pbrt-v4, for the
+    /// curve turns to face it: half of that is enough for it not to meet the curve again. Embree
+    /// ignores curves that a ray meets within their width of its origin, so the origin lies a width
+    /// further back: the ray then meets all curves ahead, and none behind.
     template <bool kWithError>
     SurfaceInteraction SurfaceAt(const Hit &hit, const Ray &ray) const;
 
@@ -92,23 +96,21 @@ inline SurfaceInteraction CurveSet::SurfaceAt(const Hit &hit, const Ray &ray) co
 
     SurfaceInteraction s;
     s.p = ray(hit.t);
-    const float v = width > 0 ? Dot(s.p - at.p, side) / width + 0.5f : 0.5f;
-    s.uv = {u, std::clamp(v, 0.f, 1.f)};
+    // From -1/2 to 1/2, growing to the right of the tangent as seen along the ray.
+    const float right = width > 0 ? std::clamp(Dot(s.p - at.p, side) / width, -0.5f, 0.5f) : 0.f;
+    s.uv = {u, 0.5f + (mirrored ? right : -right)};
     Normal3f n = UnitCross(tangent, side);
     Vector3f across = side;
     if (type == CurveType::Cylinder) {
-        const SinCos turn = SinCosTurns((s.uv.y - 0.5f) / 2);
+        const SinCos turn = SinCosTurns(right / 2);
         across = turn.cos * side - turn.sin * n;
         n = turn.cos * n + turn.sin * side;
     }
     s.n = s.ns = flipNormal ? -n : n;
-    s.pError = Abs(n) * width + Gamma(3) * Abs(s.p);
+    s.pError = Vector3f{width, width, width} + Gamma(3) * Abs(s.p);
+    s.startBehind = width;
     s.dpdu = s.dpdus = at.dpdu;
-    s.dpdv = width * across;
-    if (mirrored) {
-        s.uv.y = 1 - s.uv.y;
-        s.dpdv = -s.dpdv;
-    }
+    s.dpdv = (mirrored ? width : -width) * across;
     s.faceIndex = int(hit.primitive);
     return s;
 }

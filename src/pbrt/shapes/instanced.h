@@ -18,6 +18,7 @@ inline SurfaceInteraction FromInstance(const Transform &renderFromObject,
     // As in meshes made in place, shading normals decide the side.
     r.ns = Normalize(renderFromObject.Normal(s.ns));
     r.n = FaceForward(Normalize(renderFromObject.Normal(s.n)), r.ns);
+    if (s.startBehind != 0) r.startBehind = s.startBehind * Length(renderFromObject.Vector(s.n));
     r.dpdu = renderFromObject.Vector(s.dpdu);
     r.dpdv = renderFromObject.Vector(s.dpdv);
     r.dpdus = renderFromObject.Vector(s.dpdus);

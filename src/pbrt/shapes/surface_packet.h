@@ -50,6 +50,7 @@ inline void Merge(LaneBits lanes, const SurfaceInteractionX16 &from, SurfaceInte
     to->dpdus = Select(mask, from.dpdus, to->dpdus);
     to->uv = Select(mask, from.uv, to->uv);
     to->faceIndex = Select(mask, from.faceIndex, to->faceIndex);
+    to->startBehind = Select(mask, from.startBehind, to->startBehind);
 }
 
 /// Type by type, the rest one by one. Merging takes time, too: up to two are faster one by one.

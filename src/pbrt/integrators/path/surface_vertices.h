@@ -93,7 +93,20 @@ class SurfaceVertices {
 
     const TextureEvalContext &ContextAt(int i) const { return contexts[kUniform ? 0 : size_t(i)]; }
     void SetContexts() {
-        if constexpr (!kUniform) scene.TextureContexts(sp, lanes, batch.clamped, &contexts);
+        if constexpr (!kUniform) {
+            scene.TextureContexts(sp, lanes, batch.clamped, &contexts);
+            if (scene.materials.AnyBump()) TiltNormals();
+        }
+    }
+    void TiltNormals() {
+        ForEachLane(lanes, [&](int i) {
+            const BumpMap *const bump = scene.materials.Data()[batch.material[at[i]]].bump.get();
+            if (!bump) return;
+            SurfaceInteraction one = Lane(sp, i);
+            bump->Tilt(ContextAt(i), &one);
+            SetLane(&sp.ns, i, one.ns);
+            SetLane(&sp.dpdus, i, one.dpdus);
+        });
     }
 
     void SetFrames() {
