@@ -16,19 +16,25 @@ quoted() { grep -o '"[^"]*"' | tr -d '"'; }
 # Names of a kind of plug-in; nothing of other kinds.
 names() {
   case $1 in
-    'option of '* | 'command of '*) ;;
+    'option of '* | 'command of '* | medium) ;;
     'texture class') "$bin/pbrt" --explain 'float texture' ;;
     *) "$bin/pbrt" --explain "$1" ;;
   esac
 }
 
+# The table of src/pbrt/util/upstream.cpp, a row a line: kind, name and advice, between tabs; quotes in
+# them as `.
+rows=$(tr -s ' \n' '  ' < "$root/src/pbrt/util/upstream.cpp" | grep -o 'UpstreamName{"[^}]*}' |
+  sed 's/\\"/`/g; s/" "//g; s/^UpstreamName{"//; s/"}$//; s/", "/\t/g')
+
 # What pbrt-v4 has beyond: names of this kind, but for those built since.
 missing() {
-  grep -o 'UpstreamName{.*}' "$root/src/pbrt/util/upstream.cpp" |
-    grep -vF -f <(names "$1" | sed "s/.*/\"$1\", \"&\"/") | sed 's/\\"/`/g' |
-    sed -n "s/UpstreamName{\"$1\", \"\([^\"]*\)\", \"\([^\"]*\)\"}/\`\1\`\2/p" |
-    sed 's/`\([a-z]\+\)$/` (near it: `\1`)/' | paste -sd, | sed 's/,/, /g'
+  awk -F '\t' -v kind="$1" '$1 == kind { print $2 "\t" $3 }' <<< "$rows" |
+    grep -vE "^($(names "$1" | paste -sd '|'))"$'\t' || true
 }
+
+# Their names in one line.
+listed() { cut -f 1 | sed 's/.*/`&`/' | paste -sd, | sed 's/,/, /g'; }
 
 cat <<'TEXT'
 # What exists here, and what pbrt-v4 has beyond it
@@ -37,16 +43,21 @@ Written by `scripts/compatibility.sh`, which asks the programs; a test compares.
 in [REFERENCE.md](REFERENCE.md); what they do is pbrt-v4's: see [PBRT_FORMAT.md](PBRT_FORMAT.md). Whatever else a
 scene names is refused with a message.
 TEXT
-for kind in film camera sampler filter integrator accelerator shape material 'texture class' light \
-  'area light'; do
-  printf '\n## %s\n\n%s.\n' "${kind^}" "$(names "$kind" | sed 's/.*/`&`/' | paste -sd, | sed 's/,/, /g')"
-  beyond=$(missing "$kind")
-  [ -z "$beyond" ] || printf '\nNot built here: %s.\n' "$beyond"
+for kind in film camera sampler filter integrator accelerator shape material medium 'texture class' \
+  light 'area light'; do
+  here=$(names "$kind" | listed)
+  printf '\n## %s\n\n%s.\n' "${kind^}" "${here:-None}"
+  case $kind in
+    integrator)
+      printf '\n`path` renders in the place of, with a warning: %s.\n' \
+        "$(grep -o 'StandIn{"[a-z]*"' "$root/src/pbrt/integrators/stand_ins.cpp" | quoted | listed)" ;;
+  esac
+  beyond=$(missing "$kind" | awk -F '\t' '{ print "- `" $1 "`. " $2 ($2 == "" ? "" : ".") }')
+  [ -z "$beyond" ] || printf '\nNot built here:\n\n%s\n' "$beyond"
 done
 
 printf '\n## Parameters of pbrt-v4 that are not built here\n\n'
-grep -o 'UpstreamName{.*}' "$root/src/pbrt/util/upstream.cpp" | grep '\\"' | sed 's/\\"/`/g' |
-  sed 's/UpstreamName{"\([^"]*\)", "\([^"]*\)".*/- \1: `\2`/'
+awk -F '\t' '$1 ~ /`/ { print "- " $1 ": `" $2 "`. " $3 ($3 == "" ? "" : ".") }' <<< "$rows"
 
 printf '\n## Directives\n\n'
 grep -o 'Directive{"[A-Za-z]*"' "$root/src/pbrt/scene/directives.cpp" | quoted | sed 's/.*/`&`/' |
@@ -58,7 +69,7 @@ sed -n '/kIgnored{/,/};/p' "$root/src/pbrt/scene/option_directive.cpp" | quoted 
   sed 's/.*/- `&`: no effect, and a warning/'
 
 printf '\n## Command lines\n\nNot built here, of pbrt: %s; of imgtool: %s.\n' \
-  "$(missing 'option of pbrt')" "$(missing 'command of imgtool')"
+  "$(missing 'option of pbrt' | listed)" "$(missing 'command of imgtool' | listed)"
 for program in pbrt imgtool bsdftool feathergen 'feathergen neck'; do
   # shellcheck disable=SC2086
   set -- $program

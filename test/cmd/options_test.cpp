@@ -181,9 +181,9 @@ TEST_F(ProgramOptions, AWrongOutfileIsTheOptionsFault) {
 
 TEST_F(ProgramOptions, WhatPbrtHasAndIsNotBuiltHereIsNamed) {
     Says("pbrt --displayServer localhost:14158 scene.pbrt",
-         "unknown option --displayserver; pbrt-v4 has it, not built here\n");
+         "unknown option --displayserver; pbrt-v4 has it; not built here\n");
     Says("imgtool falsecolor a.exr",
-         "unknown command \"falsecolor\"; pbrt-v4 has it, not built here\n");
+         "unknown command \"falsecolor\"; pbrt-v4 has it; not built here\n");
 }
 
 TEST_F(ProgramOptions, ThousandsOfMessagesAreCounted) {

@@ -158,10 +158,19 @@ TEST(Directives, AreaLightsInObjectsAreDroppedWithAWarning) {
 TEST(Directives, VacuumInterfacesAreHarmlessAndMediaAreNot) {
     EXPECT_EQ(ParseWorld("MediumInterface \"\" \"\" MediumInterface \"\" Shape \"a\"")->Messages(),
               Texts{});
-    EXPECT_EQ(ParseWorld("MediumInterface \"\" \"fog\"\nMakeNamedMedium \"fog\" \"float g\" 1")
-                  ->Messages(),
-              (Texts{"test.pbrt:2:1: participating media are not supported",
-                     "test.pbrt:3:1: participating media are not supported"}));
+    // A medium is refused where it is made, before or after its uses.
+    const std::string fog = "MakeNamedMedium \"fog\" \"string type\" \"homogeneous\"";
+    for (const std::string &text : {"MediumInterface \"\" \"fog\" MediumInterface \"fog\"\n" + fog,
+                                    "\n" + fog + " MediumInterface \"fog\" \"fog\""})
+        EXPECT_EQ(
+            ParseWorld(text)->Messages(),
+            Texts{"test.pbrt:3:1: medium \"fog\" (\"homogeneous\"): pbrt-v4 has it; not built "
+                  "here. Only surfaces are rendered: take out medium and MediumInterface"});
+    EXPECT_EQ(ParseWorld("MakeNamedMedium \"fog\" \"float g\" 1")->Messages(),
+              Texts{"test.pbrt:2:1: medium \"fog\" is of no type that pbrt-v4 has (\"string "
+                    "type\"), and only surfaces are rendered here"});
+    EXPECT_EQ(ParseWorld("MediumInterface \"fog\" \"\"")->Messages(),
+              Texts{"test.pbrt:2:17: medium \"fog\" is not defined"});
 }
 
 TEST(Directives, OptionsAreSet) {

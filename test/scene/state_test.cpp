@@ -34,6 +34,48 @@ TEST(State, RotateIsRightHandedInDegrees) {
     EXPECT_NEAR(v.y, 1, 1e-6f);
 }
 
+TEST(State, WhatAMatrixWithoutInversePlacesIsLeftOut) {
+    constexpr char kFlat[] = "[ 1 0 0 0  0 0 0 0  0 0 1 0  0 0 0 1 ]";
+    for (const std::string &flat :
+         {std::string("Scale 1 0 1"), std::string("Transform ") + kFlat,
+          std::string("ConcatTransform ") + kFlat,
+          std::string("ActiveTransform EndTime Scale 0 1 1 ActiveTransform All")}) {
+        const auto parsed = ParseWorld(
+            "ObjectBegin \"o\" Shape \"a\" ObjectEnd\nAttributeBegin\n" + flat +
+            " Translate 1 2 3\nShape \"b\" ObjectInstance \"o\" LightSource \"c\"\n"
+            "CoordinateSystem \"hidden\"\nIdentity Shape \"d\"\nCoordSysTransform \"hidden\" Shape "
+            "\"e\"\nAttributeEnd Shape \"f\" LightSource \"g\" ObjectInstance \"o\"");
+        ASSERT_EQ(parsed->Messages().size(), 1u) << flat;
+        EXPECT_FALSE(parsed->log.HasErrors());
+        EXPECT_NE(parsed->Messages()[0].find("this transformation has no inverse"),
+                  std::string::npos);
+        const std::vector<ShapeEntity> shapes = All(parsed->scene.shapes);
+        ASSERT_EQ(shapes.size(), 2u) << flat;
+        EXPECT_EQ(shapes[0].type, "d");
+        EXPECT_EQ(shapes[1].type, "f");
+        ASSERT_EQ(parsed->scene.lights.size(), 1u);
+        EXPECT_EQ(parsed->scene.lights[0].type, "g");
+        EXPECT_EQ(parsed->scene.instances.size(), 1u);
+    }
+}
+
+TEST(State, ACameraNeedsAnInverse) {
+    const auto parsed = Parse("Scale 0 1 1 Camera \"perspective\" WorldBegin");
+    EXPECT_EQ(parsed->log.ErrorCount(), 1);
+}
+
+TEST(State, OlderNamesOfInterface) {
+    const auto parsed = ParseWorld(
+        "Material \"\"\nMaterial \"none\"\nMakeNamedMaterial \"m\" \"string type\" \"none\"");
+    EXPECT_EQ(parsed->Messages(),
+              (Texts{"test.pbrt:2:1: material \"\" is an older name of \"interface\"",
+                     "test.pbrt:3:1: material \"none\" is an older name of \"interface\"",
+                     "test.pbrt:4:1: material \"none\" is an older name of \"interface\""}));
+    for (const Entity &material : All(parsed->scene.materials))
+        EXPECT_EQ(material.type, "interface");
+    EXPECT_EQ(parsed->scene.namedMaterials.at(0).type, "interface");
+}
+
 TEST(State, IdentityForgets) {
     EXPECT_TRUE(ShapeTransform("Translate 1 2 3 Identity") == Transform());
 }

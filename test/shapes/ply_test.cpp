@@ -387,6 +387,43 @@ TEST_F(Ply, MeshesMakeOneShapeForEachKindOfFace) {
                                     ": 1 faces have other than 3 or 4 corners and are left out");
 }
 
+TEST_F(Ply, NormalsThatAreNoNumbersAreNone) {
+    PlyWriter w(PlyKind::Little);
+    w.Line("element vertex 4");
+    for (const char *const name : {"x", "y", "z", "nx", "ny", "nz"})
+        w.Line(std::string("property float ") + name);
+    w.Line("element face 2\nproperty list uchar int vertex_indices\nend_header");
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const float vertices[4][6] = {{0, 0, 0, 0, 0.6f, 0.8f},
+                                  {1, 0, 0, nan, nan, nan},
+                                  {1, 1, 0, nan, nan, nan},
+                                  {0, 1, 0, nan, 0, 0}};
+    for (const auto &vertex : vertices)
+        for (const float value : vertex)
+            w.Put(value);
+    for (const int face : {0, 1}) {
+        w.Put(uint8_t(3));
+        for (const int corner : {0, 1, 2})
+            w.Put(int32_t(face + corner));
+    }
+    Put("nan.ply", w.Text());
+    const Made made = Make("Shape \"plymesh\" \"string filename\" \"nan.ply\"", folder.string());
+    ASSERT_EQ(made.shapes.size(), 1u);
+    ASSERT_EQ(made.messages.size(), 1u);
+    EXPECT_EQ(made.messages[0], "test.pbrt:2:17: " + Path("nan.ply") +
+                                    ": 3 of 4 normals are not finite, the first is that of vertex "
+                                    "1; these vertices have none");
+    // The one good normal counts alone; where there is none the face's does.
+    const auto shadingNormal = [&](uint32_t triangle) {
+        Hit hit;
+        hit.primitive = triangle;
+        hit.u = hit.v = 1 / 3.f;
+        return SurfaceAt(made.shapes[0], hit, Ray{{0.5f, 0.5f, 1}, {0, 0, -1}, Infinity, 0}).ns;
+    };
+    EXPECT_LT(Length(shadingNormal(0) - Normal3f{0, 0.6f, 0.8f}), 1e-6f);
+    EXPECT_LT(Length(shadingNormal(1) - Normal3f{0, 0, 1}), 1e-6f);
+}
+
 TEST_F(Ply, ErrorsNameTheFile) {
     const auto said = [&](const std::string &bytes) {
         Put("bad.ply", bytes);

@@ -39,9 +39,8 @@ TEST(TextureErrors, OneMistakeIsOneMessage) {
     // The texture that could not be made stands in for its uses.
     EXPECT_EQ(MessagesOf("Texture \"a\" \"spectrum\" \"marble\"\n"
                          "Texture \"b\" \"spectrum\" \"scale\" \"texture tex\" \"a\""),
-              fmt::format("t.pbrt:2:1: unknown texture class \"marble\"; pbrt-v4 has it, not "
-                          "built here. Known: {}\n",
-                          QuotedList(TextureTypes::kNames)));
+              "t.pbrt:2:1: texture class \"marble\": pbrt-v4 has it; not built here. Use "
+              "\"imagemap\" with a picture of it\n");
 }
 
 TEST(TextureErrors, TexturesOfVeryManyAreRefused) {

@@ -41,6 +41,39 @@ TEST(Diagnostics, WarnsOnceOfTheSameWhereverItIsMet) {
     EXPECT_EQ(log.ErrorCount(), 0);
 }
 
+TEST(Diagnostics, OrderOfPlaceIsThatOfFilesThenLines) {
+    Diagnostics log;
+    log.Error({"b.pbrt", 9, 1}, "4");
+    log.Error({"a.pbrt", 2, 1}, "6");
+    log.Error({"b.pbrt", 3, 7}, "3");
+    log.Error({"b.pbrt", 3, 2}, "2");
+    log.Error({"a.pbrt", 0, 0}, "5");
+    log.Error({}, "1");
+    std::string order;
+    for (const Message *m : log.InOrderOfPlace())
+        order += m->text.back();
+    EXPECT_EQ(order, "123456");
+}
+
+TEST(Diagnostics, MissingFilesAreCountedByFolder) {
+    Diagnostics log;
+    for (int i = 0; i < 30; ++i) {
+        const FileLoc loc{"a.pbrt", i + 1, 3};
+        log.MissingFile(loc, "meshes/" + std::to_string(i) + ".ply", "/scenes");
+        log.Error(loc, "what follows from it");
+        log.Error({"a.pbrt", 100 + i, 3}, "something else");
+    }
+    log.MissingFile({"a.pbrt", 50, 3}, "meshes/0.ply", "/scenes");
+    EXPECT_EQ(log.Messages().size(), 20u + 30u);
+    EXPECT_EQ(log.Messages()[0].text, "a.pbrt:1:3: there is no file \"meshes/0.ply\"");
+    log.MissingFile({"a.pbrt", 51, 3}, "/elsewhere/x.png", "/scenes");
+    const std::vector<std::string> lines = log.MissingFiles();
+    ASSERT_EQ(lines.size(), 2u);
+    EXPECT_EQ(lines[0], "1 file of /elsewhere/ is missing; looked for in /elsewhere/");
+    EXPECT_EQ(lines[1].find("30 files of meshes/ are missing; looked for in /scenes/meshes/ and /"),
+              0u);
+}
+
 TEST(Diagnostics, LongMessagesLoseTheirMiddle) {
     Diagnostics log;
     log.Error({"a.pbrt", 3, 7}, "begin " + std::string(1 << 20, 'x') + " end");

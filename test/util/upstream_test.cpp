@@ -8,13 +8,23 @@ namespace pbrt {
 namespace {
 
 TEST(Upstream, IsNamedInMessages) {
-    const std::string_view known[] = {"path", "sppn"};
-    EXPECT_EQ(UnknownName("integrator", "sppm", known),
-              "unknown integrator \"sppm\"; pbrt-v4 has it, not built here; use \"path\". Known: "
-              "\"path\" or \"sppn\"");
-    EXPECT_EQ(UnknownName("integrator", "spbn", known),
-              "unknown integrator \"spbn\"; did you mean \"sppn\"? Known: \"path\" or \"sppn\"");
-    EXPECT_EQ(PbrtHasIt("light", "sppm"), "");
+    const std::string_view known[] = {"conductor", "measure"};
+    EXPECT_EQ(UnknownName("material", "measured", known),
+              "material \"measured\": pbrt-v4 has it; not built here. Use \"conductor\" or "
+              "\"coateddiffuse\" with a color like it");
+    EXPECT_EQ(UnknownName("material", "measurer", known),
+              "unknown material \"measurer\"; did you mean \"measure\"? Known: \"conductor\" or "
+              "\"measure\"");
+    EXPECT_EQ(PbrtHasIt("light", "measured"), "");
+}
+
+TEST(Upstream, OldNamesAreToldTheNewOnes) {
+    const std::string_view known[] = {"diffuse"};
+    EXPECT_EQ(UnknownName("material", "matte", known),
+              "unknown material \"matte\"; pbrt-v4 calls it \"diffuse\"");
+    ASSERT_TRUE(FindOldName("film", "image"));
+    EXPECT_EQ(FindOldName("film", "image")->is, "rgb");
+    EXPECT_FALSE(FindOldName("film", "matte"));
 }
 
 TEST(Upstream, EveryNameStandsOnce) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <concepts>
+#include <vector>
 
 #include "pbrt/base/plug_in.h"
 #include "pbrt/util/ray_packet.h"
@@ -23,6 +25,10 @@ struct CameraPlacement {
     /// -1 if the film's "down" runs against Cross(forward, right), as usual; 1 if the camera's
     /// transform mirrors.
     float downOfFrame = -1;
+    /// Of a moving camera: maps rendering space as the camera at rest sees it to where that is at
+    /// equal steps of the rays' time, to be joined linearly by entries. The transforms above are
+    /// those at time 0. Empty: the camera rests.
+    std::vector<Transform> motion;
 
     /// The time of a ray, u in [0, 1): from 0 at TransformTimes' start to 1 at its end; it stays
     /// there before and after.
@@ -30,7 +36,17 @@ struct CameraPlacement {
     T TimeAt(T u) const {
         return Min(Max(timeOpen + u * (timeClose - timeOpen), 0.f), 1.f);
     }
-    /// The camera's axes in rendering space, of any length.
+    bool Moves() const { return !motion.empty(); }
+    /// A ray of the camera at rest, as the moving one has it at the ray's time.
+    Ray Moved(const Ray &ray) const {
+        const float at = ray.time * float(motion.size() - 1);
+        const size_t key = std::min(size_t(at), motion.size() - 2);
+        const float t = at - float(key);
+        const Transform &a = motion[key], &b = motion[key + 1];
+        return {(1 - t) * a.Point(ray.o) + t * b.Point(ray.o),
+                Normalize((1 - t) * a.Vector(ray.d) + t * b.Vector(ray.d)), ray.tMax, ray.time};
+    }
+    /// The camera's axes in rendering space, of any length; at time 0.
     Vector3f Right() const { return renderFromCamera.Vector({1, 0, 0}); }
     Vector3f Up() const { return renderFromCamera.Vector({0, 1, 0}); }
     Vector3f Forward() const { return renderFromCamera.Vector({0, 0, 1}); }
@@ -67,7 +83,8 @@ concept HasCameraPackets = requires(const C c, const Point2fX16 &film, const Flo
 };
 }  // namespace detail
 
-/// Copyable and immutable once made, at rest; any thread may read it.
+/// Copyable and immutable once made; any thread may read it. It rests: what moves it is
+/// CameraPlacement::motion, which cameras.h applies to its rays.
 ///
 ///   kTraits                  CameraTraits
 ///   Create(params, context)  reads all parameters but the shutter's; mistakes are reported through
@@ -77,7 +94,8 @@ concept HasCameraPackets = requires(const C c, const Point2fX16 &film, const Flo
 ///                            corner; `lens` and `time` in [0, 1). In rendering space, d unit, time
 ///                            by Placement().TimeAt
 ///   HasLens()                false: `lens` is not read, and nobody works it out
-///   Origins()                holds the origins of all rays, in rendering space
+///   Origins()                holds the origins of all rays of the camera at rest, in rendering
+///                            space
 ///   ViewAt(p)                for texture filtering; may be an approximation, as that of the
 ///   camera's
 ///                            axis. p in rendering space

@@ -15,11 +15,17 @@ ParamDict Params(const Entity &entity, std::string_view kind, std::string_view t
                      entity.colorSpace, &log, description.dir);
 }
 
-constexpr std::array<std::string_view, 1> kAccelerators{"bvh"};
+constexpr std::array<std::string_view, 2> kAccelerators{"bvh", "kdtree"};
 constexpr std::array<std::string_view, 4> kSplitMethods{"sah", "middle", "equal", "hlbvh"};
 constexpr ChoiceParam kSplitMethod{"splitmethod", kSplitMethods[0], kSplitMethods,
                                    "no effect: the ray tracer chooses"};
 constexpr IntParam kMaxNodePrims{"maxnodeprims", 4, 1, 255, "no effect: the ray tracer chooses"};
+constexpr std::string_view kNoTree = "no effect: the ray tracer builds a bvh";
+constexpr IntParam kIntersectCost{"intersectcost", 5, kLeastInt, kMostInt, kNoTree};
+constexpr IntParam kTraversalCost{"traversalcost", 1, kLeastInt, kMostInt, kNoTree};
+constexpr FloatParam kEmptyBonus{"emptybonus", "", 0.5f, -kOpen, kOpen, kNoTree};
+constexpr IntParam kMaxPrims{"maxprims", 1, kLeastInt, kMostInt, kNoTree};
+constexpr IntParam kTreeDepth{"maxdepth", -1, kLeastInt, kMostInt, kNoTree};
 
 void ReadSampling(const SceneDescription &description, const SceneOverrides &overrides,
                   RenderScene &scene, Diagnostics &log) {
@@ -87,12 +93,18 @@ std::span<const std::string_view> AcceleratorNames() {
 }
 
 void ReadAccelerator(std::string_view type, ParamDict &params) {
-    if (type != kAccelerators[0]) {
-        params.Error(UnknownName("accelerator", type, kAccelerators));
-        return;
+    if (type == "bvh") {
+        params.GetOneChoice(kSplitMethod);
+        params.GetOneInt(kMaxNodePrims);
+    } else if (type == "kdtree") {
+        params.GetOneInt(kIntersectCost);
+        params.GetOneInt(kTraversalCost);
+        params.GetOneFloat(kEmptyBonus);
+        params.GetOneInt(kMaxPrims);
+        params.GetOneInt(kTreeDepth);
+    } else {
+        return params.Error(UnknownName("accelerator", type, kAccelerators));
     }
-    params.GetOneChoice(kSplitMethod);
-    params.GetOneInt(kMaxNodePrims);
     params.ReportUnused();
 }
 
@@ -103,6 +115,7 @@ std::unique_ptr<RenderScene> BuildScene(SceneDescription &&description,
     scene->film = Film::Create(description, overrides.film, log);
     scene->camera = CreateCamera(description, scene->film.FullResolution(), log);
     const CameraPlacement &placement = Placement(scene->camera);
+    scene->isAnimated = placement.Moves();
     scene->film.SetSpaces(placement.renderFromCamera.Inverse(),
                           placement.renderFromWorld.Inverse());
     scene->film.SetExposure(placement.shutterClose - placement.shutterOpen);

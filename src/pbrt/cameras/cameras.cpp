@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "pbrt/util/motion.h"
+
 namespace pbrt {
 namespace {
 
@@ -41,14 +43,28 @@ void ReadShutter(ParamDict &params, const SceneDescription &scene, CameraPlaceme
     placement->timeClose = rayTime(placement->shutterClose);
 }
 
+/// `end`: cameraFromWorld at the end of TransformTimes.
+void SetMotion(ParamDict &params, const Transform &end, CameraPlacement *placement) {
+    if (placement->cameraFromWorld == end) return;
+    const Transform &from = placement->renderFromCamera;
+    // Through the world: rendering space stays where it is.
+    const Transform to = placement->renderFromWorld * end.Inverse();
+    if (from.SwapsHandedness() != to.SwapsHandedness())
+        return params.Error("the camera is mirrored at one end of its motion only");
+    std::vector<Transform> keys = KeysBetween(from, to);
+    keys.insert(keys.begin(), from);
+    keys.push_back(to);
+    for (const Transform &key : keys)
+        placement->motion.push_back(key * from.Inverse());
+}
+
 CameraPlacement Place(ParamDict &params, const SceneDescription &scene) {
     CameraPlacement placement;
-    if (!(scene.cameraFromWorld[0] == scene.cameraFromWorld[1]))
-        params.Error("moving cameras are not supported");
     placement.cameraFromWorld = scene.cameraFromWorld[0];
     PlaceInSpace(&placement, scene.options.renderCoordSys);
     const Vector3f down = Cross(placement.Forward(), placement.Right());
     placement.downOfFrame = Dot(down, placement.Up()) < 0 ? 1 : -1;
+    SetMotion(params, scene.cameraFromWorld[1], &placement);
     ReadShutter(params, scene, &placement);
     return placement;
 }

@@ -2,13 +2,14 @@
 
 #include "pbrt/cameras/orthographic.h"
 #include "pbrt/cameras/perspective.h"
+#include "pbrt/cameras/spherical.h"
 #include "pbrt/scene/description.h"
 #include "pbrt/util/type_list.h"
 
 namespace pbrt {
 
 /// The one list of cameras. Parser, messages and tests follow from it.
-using CameraTypes = TypeList<PerspectiveCamera, OrthographicCamera>;
+using CameraTypes = TypeList<PerspectiveCamera, OrthographicCamera, SphericalCamera>;
 using Camera = CameraTypes::Variant;
 
 template <CameraType C>
@@ -28,32 +29,44 @@ inline const CameraPlacement &Placement(const Camera &camera) {
 inline bool HasLens(const Camera &camera) {
     return Dispatch(camera, [](const auto &c) { return c.HasLens(); });
 }
+/// Holds the origins of all rays at all times.
 inline Bounds3f Origins(const Camera &camera) {
-    return Dispatch(camera, [](const auto &c) { return c.Origins(); });
+    const Bounds3f atRest = Dispatch(camera, [](const auto &c) { return c.Origins(); });
+    if (!Placement(camera).Moves()) return atRest;
+    Bounds3f all;
+    for (const Transform &key : Placement(camera).motion)
+        all.Grow(key.Bounds(atRest));
+    return all;
 }
 inline Transform NDCFromWorld(const Camera &camera) {
     return Dispatch(
         camera, [](const auto &c) { return c.NDCFromCamera() * c.Placement().cameraFromWorld; });
 }
 inline Ray GenerateRay(const Camera &camera, Point2f film, Point2f lens, float time) {
-    return Dispatch(camera, [&](const auto &c) { return c.GenerateRay(film, lens, time); });
+    return Dispatch(camera, [&](const auto &c) {
+        const Ray ray = c.GenerateRay(film, lens, time);
+        return c.Placement().Moves() ? c.Placement().Moved(ray) : ray;
+    });
 }
 /// GenerateRay sixteen times.
 inline RayPacket GenerateRays(const Camera &camera, const Point2fX16 &film, const Point2fX16 &lens,
                               const FloatX16 &time) {
     return Dispatch(camera, [&]<typename C>(const C &c) {
+        RayPacket rays;
         if constexpr (C::kTraits.hasPackets) {
-            return c.GenerateRays(film, lens, time);
+            rays = c.GenerateRays(film, lens, time);
         } else {
-            RayPacket rays;
             for (int i = 0; i < kPacketSize; ++i)
                 rays.Set(i, c.GenerateRay(Lane(film, i), Lane(lens, i), time[i]));
-            return rays;
         }
+        if (c.Placement().Moves()) [[unlikely]]
+            for (int i = 0; i < kPacketSize; ++i)
+                rays.Set(i, c.Placement().Moved(rays.At(i)));
+        return rays;
     });
 }
 
-/// View of one point, or of sixteen.
+/// View of one point, or of sixteen; of a moving camera at time 0.
 template <AnyFloat T>
 CameraView<T> ViewAt(const Camera &camera, Vec3<T> p) {
     return Dispatch(camera, [&]<typename C>(const C &c) {

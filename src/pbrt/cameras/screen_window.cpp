@@ -1,5 +1,7 @@
 #include "pbrt/cameras/screen_window.h"
 
+#include <fmt/format.h>
+
 namespace pbrt {
 namespace {
 
@@ -19,7 +21,10 @@ ScreenWindow ScreenWindow::Read(ParamDict &params, Point2i resolution) {
     const std::vector<float> given = params.GetFloatArray(kScreenWindow);
     if (given.empty()) return w;
     if (given.size() != 4 || given[0] >= given[1] || given[2] >= given[3])
-        params.Error(kScreenWindow.name, "\"screenwindow\" needs four values: xmin xmax ymin ymax");
+        params.Error(kScreenWindow.name,
+                     fmt::format("\"screenwindow\" needs four values: xmin xmax ymin ymax, xmin < "
+                                 "xmax and ymin < ymax; found {}",
+                                 fmt::join(given, " ")));
     else
         w = {given[0], given[1], given[2], given[3]};
     return w;

@@ -33,9 +33,10 @@ Outcome UnknownCommand(const Tool &tool, std::string_view name) {
     for (const Command &command : tool.commands)
         names.push_back(command.name);
     const std::string upstream = PbrtHasIt(fmt::format("command of {}", tool.name), name);
-    return Failure(tool.name, fmt::format("unknown command \"{}\"{}\nexpected {}", Shortened(name),
-                                          upstream.empty() ? DidYouMean(name, names) : upstream,
-                                          QuotedList(names)));
+    return Failure(tool.name,
+                   fmt::format("unknown command \"{}\"{}\nexpected {}", Shortened(name),
+                               upstream.empty() ? DidYouMean(name, names) : "; " + upstream,
+                               QuotedList(names)));
 }
 
 std::string Version() {
@@ -65,7 +66,8 @@ std::optional<Outcome> Parse(CLI::App *app, Args args) {
     };
     const std::string upstream =
         PbrtHasIt(fmt::format("option of {}", app->get_name()), normalized.unknown);
-    if (!upstream.empty()) return mistake("unknown option --" + normalized.unknown + upstream);
+    if (!upstream.empty())
+        return mistake("unknown option --" + normalized.unknown + "; " + upstream);
     if (!normalized.error.empty()) return mistake(normalized.error);
     std::reverse(normalized.args.begin(), normalized.args.end());  // CLI11 takes them from the back
     try {

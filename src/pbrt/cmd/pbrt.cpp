@@ -113,18 +113,22 @@ void TakeWritten(Arguments &a) {
         o.film.pixelBounds = {a.pixel[0], a.pixel[0] + 1, a.pixel[1], a.pixel[1] + 1};
 }
 
-/// The first messages; a broken file can make thousands.
+/// The first messages by place; a broken file can make thousands. Where not all are shown and there
+/// are errors, warnings are left out.
 void Print(const Diagnostics &log, bool quiet) {
-    constexpr int kMost = 50;
+    constexpr size_t kMost = 50;
     const bool color = isatty(STDERR_FILENO) != 0;
-    int count = 0;
-    for (const Message &m : log.Messages()) {
-        const bool error = m.severity == Severity::Error;
-        if ((quiet && !error) || ++count > kMost) continue;
+    const bool errorsOnly = quiet || (log.HasErrors() && log.Messages().size() > kMost);
+    size_t count = 0;
+    for (const Message *m : log.InOrderOfPlace()) {
+        const bool error = m->severity == Severity::Error;
+        if ((errorsOnly && !error) || ++count > kMost) continue;
         Say(fmt::format("{}{}{}: {}\n", color ? (error ? "\033[1;31m" : "\033[1;33m") : "",
-                        error ? "Error" : "Warning", color ? "\033[0m" : "", m.text));
+                        error ? "Error" : "Warning", color ? "\033[0m" : "", m->text));
     }
     if (count > kMost) Say(fmt::format("... and {} more messages like these.\n", count - kMost));
+    for (const std::string &line : log.MissingFiles())
+        Say(line + ".\n");
 }
 
 double Seconds(std::chrono::steady_clock::time_point since) {

@@ -1,53 +1,124 @@
 #include "pbrt/films/sensor.h"
 
+#include <fmt/format.h>
+
+#include <span>
+
+#include "pbrt/films/camera_matrix.h"
+
 namespace pbrt {
 namespace {
 
-constexpr std::array<std::string_view, 1> kSensors{"cie1931"};
+constexpr std::string_view kObserver = "cie1931";
+/// The observer, then the cameras.
+std::span<const std::string_view> SensorNames() {
+    static const std::vector<std::string_view> names = [] {
+        std::vector<std::string_view> all{kObserver};
+        for (const CameraCurves &camera : AllCameraCurves())
+            all.push_back(camera.name);
+        return all;
+    }();
+    return names;
+}
+
 constexpr FloatParam kIso{"iso", "", 100, 1e-6f, 1e9f, "sensor speed"};
-constexpr ChoiceParam kSensor{"sensor", kSensors[0], kSensors, "what colors are seen by"};
-constexpr FloatParam kMaxComponent{
-    "maxcomponentvalue", "", kOpen, 0, kOpen, "larger samples are scaled down to it"};
-constexpr FloatParam kWhiteBalance{
-    "whitebalance", "K", 0, 0, 25000, "color temperature that becomes white, from 4000; 0: none"};
+constexpr FloatParam kMaxComponent{"maxcomponentvalue",
+                                   "",
+                                   kOpen,
+                                   0,
+                                   kOpen,
+                                   "samples of which the sensor sees "
+                                   "more (cie1931: XYZ, else the "
+                                   "camera's RGB) are scaled down to it"};
+constexpr FloatParam kWhiteBalance{"whitebalance",
+                                   "K",
+                                   0,
+                                   0,
+                                   25000,
+                                   "color temperature that becomes white, "
+                                   "from 500; 0: none with cie1931, 6500 "
+                                   "with cameras"};
+constexpr float kLeastKelvin = 500, kLeastDaylight = 4000, kDefaultOfCameras = 6500;
 constexpr FloatParam kDiagonal{"diagonal", "mm", 35,
                                1e-6f,      1e6f, "no effect: concerns realistic cameras only"};
 
-/// Matching curves in the film's RGB over the number of wavelength samples. Not over the integral
-/// of y: lights are (PBRT_FORMAT 2.10), so that a light of 1 gives a pixel of 1.
-std::vector<std::array<float, 4>> Matching(const RGBColorSpace &space, float whiteBalance) {
+/// Light of a color temperature: daylight as far as the CIE defines it, below a black body.
+Spectrum LightOf(float kelvin) {
+    return kelvin < kLeastDaylight ? Spectrum::Blackbody(kelvin) : Spectrum::Daylight(kelvin);
+}
+
+std::array<float, 2> ChromaticityOf(float kelvin) {
+    if (kelvin >= kLeastDaylight) {
+        const std::array<double, 2> xy = DaylightChromaticity(kelvin);
+        return {float(xy[0]), float(xy[1])};
+    }
+    const XYZ c = SpectrumToXYZ(LightOf(kelvin));
+    const float sum = c.X + c.Y + c.Z;
+    return {c.X / sum, c.Y / sum};
+}
+
+Matrix3 Rounded(const Matrix3d &m) {
+    Matrix3 r;
+    for (size_t i = 0; i < 3; ++i)
+        for (size_t j = 0; j < 3; ++j)
+            r[i][j] = float(m[i][j]);
+    return r;
+}
+
+/// The curves of a sensor, and the matrix to XYZ.
+struct SensorResponse {
+    std::array<Spectrum, 3> curves;
+    Matrix3 xyzFromSensor;
+};
+
+SensorResponse ResponseOf(std::string_view sensor, float kelvin, const RGBColorSpace &space) {
+    for (const CameraCurves &camera : AllCameraCurves()) {
+        if (camera.name != sensor) continue;
+        const Spectrum light = LightOf(kelvin > 0 ? kelvin : kDefaultOfCameras);
+        return {CurvesOf(camera), Rounded(XYZFromCamera(camera, light, space))};
+    }
     Matrix3 adapt{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-    if (whiteBalance > 0) {
-        const std::array<double, 2> xy = DaylightChromaticity(whiteBalance);
-        adapt = WhiteBalance({float(xy[0]), float(xy[1])}, space.Chromaticities()[3]);
-    }
-    std::vector<std::array<float, 4>> table(int(LambdaMax - LambdaMin) + 1);
-    constexpr float scale = 1.f / NSpectrumSamples;
-    for (size_t i = 0; i < table.size(); ++i) {
-        const float lambda = LambdaMin + float(i);
-        const std::array<float, 3> xyz =
-            Mul(adapt, {spectra::X()(lambda), spectra::Y()(lambda), spectra::Z()(lambda)});
-        const std::array<float, 3> rgb = Mul(space.RGBFromXYZ(), xyz);
-        table[i] = {rgb[0] * scale, rgb[1] * scale, rgb[2] * scale, 0};
-    }
-    return table;
+    if (kelvin > 0) adapt = WhiteBalance(ChromaticityOf(kelvin), space.Chromaticities()[3]);
+    return {{spectra::X(), spectra::Y(), spectra::Z()}, adapt};
 }
 
 }  // namespace
 
 Sensor Sensor::Create(ParamDict &params, const RGBColorSpace &space) {
+    const ChoiceParam sensorRow{"sensor", kObserver, SensorNames(), "what colors are seen by"};
     Sensor sensor;
     sensor.iso = params.GetOneFloat(kIso);
     sensor.maxComponentValue = params.GetOneFloat(kMaxComponent);
+    sensor.isLimited = sensor.maxComponentValue < Infinity;
     params.GetOneFloat(kDiagonal);
-    params.GetOneChoice(kSensor);
-    const float kelvin = params.GetOneFloat(kWhiteBalance);
-    if (kelvin != 0 && kelvin < 4000)
-        params.Error(kWhiteBalance.name, "\"whitebalance\" must be 0 or from 4000 to 25000 K");
-    sensor.matching = Matching(space, kelvin);
+    const std::string_view name = SensorNames()[size_t(params.GetOneChoice(sensorRow))];
+    float kelvin = params.GetOneFloat(kWhiteBalance);
+    if (kelvin != 0 && kelvin < kLeastKelvin) {
+        params.Error(kWhiteBalance.name,
+                     fmt::format("\"whitebalance\" must be 0 or from {} to {} K", kLeastKelvin,
+                                 kWhiteBalance.hi));
+        kelvin = 0;
+    }
+    const auto [curves, xyzFromSensor] = ResponseOf(name, kelvin, space);
+    sensor.SetResponse(curves, xyzFromSensor, space);
     const Spectrum &illuminant = space.Illuminant();
     sensor.white = illuminant.Scaled(1 / SpectrumToPhotometric(illuminant));
     return sensor;
+}
+
+/// Not over the integral of y: lights are (PBRT_FORMAT 2.10), so that a light of 1 gives a pixel of
+/// 1.
+void Sensor::SetResponse(const std::array<Spectrum, 3> &curves, const Matrix3 &xyzFromSensor,
+                         const RGBColorSpace &space) {
+    constexpr float scale = 1.f / NSpectrumSamples;
+    matching.resize(size_t(LambdaMax - LambdaMin) + 1);
+    for (size_t i = 0; i < matching.size(); ++i) {
+        const float lambda = LambdaMin + float(i);
+        std::array<float, 3> seen{curves[0](lambda), curves[1](lambda), curves[2](lambda)};
+        if (!isLimited) seen = Mul(space.RGBFromXYZ(), Mul(xyzFromSensor, seen));
+        matching[i] = {seen[0] * scale, seen[1] * scale, seen[2] * scale, 0};
+    }
+    rgbFromSensor = Product(space.RGBFromXYZ(), xyzFromSensor);
 }
 
 FloatX4 Sensor::Matched(SampledSpectrum L, const SampledWavelengths &lambda) const {
@@ -67,9 +138,10 @@ FloatX4 Sensor::Matched(SampledSpectrum L, const SampledWavelengths &lambda) con
 
 RGB Sensor::Response(SampledSpectrum L, const SampledWavelengths &lambda) const {
     FloatX4 sum = Matched(L, lambda) * imagingRatio;
+    if (!isLimited) return {sum[0], sum[1], sum[2]};
     const float largest = std::max(sum[0], std::max(sum[1], sum[2]));
     if (largest > maxComponentValue) sum *= maxComponentValue / largest;
-    return {sum[0], sum[1], sum[2]};
+    return ToFilm(sum);
 }
 
 SampledSpectrum Sensor::Exposed(SampledSpectrum L) const {
@@ -81,7 +153,12 @@ SampledSpectrum Sensor::Exposed(SampledSpectrum L) const {
 
 RGB Sensor::ColorOf(SampledSpectrum reflectance, const SampledWavelengths &lambda) const {
     const FloatX4 c = Matched(reflectance * white.Sample(lambda), lambda);
-    return {c[0], c[1], c[2]};
+    return isLimited ? ToFilm(c) : RGB{c[0], c[1], c[2]};
+}
+
+RGB Sensor::ToFilm(FloatX4 seen) const {
+    const std::array<float, 3> rgb = Mul(rgbFromSensor, {seen[0], seen[1], seen[2]});
+    return {rgb[0], rgb[1], rgb[2]};
 }
 
 }  // namespace pbrt

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "pbrt/integrators/one_by_one.h"
+#include "pbrt/integrators/stand_ins.h"
 
 namespace pbrt {
 namespace {
@@ -15,6 +16,8 @@ constexpr std::string_view kVolPath = "volpath";
 std::vector<std::string_view> IntegratorNames() {
     std::vector<std::string_view> names{kVolPath};
     names.insert(names.end(), IntegratorTypes::kNames.begin(), IntegratorTypes::kNames.end());
+    for (const std::string_view name : StandInNames())
+        names.push_back(name);
     return names;
 }
 
@@ -28,9 +31,12 @@ Integrator CreateIntegrator(const SceneDescription &description, Diagnostics &lo
 
 Integrator CreateIntegrator(std::string_view name, ParamDict &params) {
     Integrator integrator;
-    const bool known =
-        IntegratorTypes::Visit(name == kVolPath ? PathIntegrator::kName : name,
-                               [&]<typename I>() { integrator = I::Create(params); });
+    bool known = IntegratorTypes::Visit(name == kVolPath ? PathIntegrator::kName : name,
+                                        [&]<typename I>() { integrator = I::Create(params); });
+    if (auto path = CreateStandIn(name, params)) {
+        integrator = std::move(*path);
+        known = true;
+    }
     if (known)
         params.ReportUnused();
     else

@@ -25,7 +25,7 @@ Integrator CreateIntegrator(const SceneDescription &description, Diagnostics &lo
 /// The same by its name and parameters.
 Integrator CreateIntegrator(std::string_view name, ParamDict &params);
 std::unique_ptr<Tracer> MakeTracer(const Integrator &integrator, const RenderScene &scene);
-/// All of IntegratorTypes, and `volpath`.
+/// All of IntegratorTypes, `volpath`, and those that `path` stands in for (stand_ins.h).
 std::vector<std::string_view> IntegratorNames();
 
 }  // namespace pbrt

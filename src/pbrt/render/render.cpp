@@ -143,6 +143,7 @@ int RenderTask::SamplesPerPixel() const {
 
 std::optional<RenderTask> MakeRenderTask(SceneDescription &&description, const Overrides &overrides,
                                          Diagnostics &log) {
+    if (IsOld(log)) return {};
     RenderTask task;
     task.integrator = CreateIntegrator(description, log);
     task.targetError = overrides.targetError;

@@ -7,16 +7,19 @@ namespace pbrt {
 SceneBuilder::SceneBuilder(SceneDescription *scene, Diagnostics *log) : scene(scene), log(log) {}
 
 void SceneBuilder::Camera(Entity camera) {
+    if (IsFlat())
+        log->Error(camera.loc, "the camera's transformation has no inverse: it sees nothing");
     scene->camera = std::move(camera);
     scene->cameraFromWorld = state.ctm;
-    coordinateSystems["camera"] = {state.ctm[0].Inverse(), state.ctm[1].Inverse()};
+    coordinateSystems["camera"] = {{state.ctm[0].Inverse(), state.ctm[1].Inverse()}};
 }
 
 void SceneBuilder::WorldBegin() {
     inWorld = true;
     state.ctm = {};
+    state.flat = {};
     state.active = {true, true};
-    coordinateSystems["world"] = state.ctm;
+    SaveCoordinateSystem("world");
 }
 
 void SceneBuilder::AddAttribute(AttributeTarget target, ParsedParameters parameters) {
@@ -40,13 +43,19 @@ void SceneBuilder::Concatenate(const Transform &t) {
 
 void SceneBuilder::Replace(const Transform &t) {
     for (int i = 0; i < 2; ++i)
-        if (state.active[i]) state.ctm[i] = t;
+        if (state.active[i]) state.ctm[i] = t, state.flat[i] = false;
+}
+
+void SceneBuilder::Flatten() {
+    for (int i = 0; i < 2; ++i)
+        state.flat[i] = state.flat[i] || state.active[i];
 }
 
 bool SceneBuilder::RestoreCoordinateSystem(const std::string &name) {
     const auto found = coordinateSystems.find(name);
     if (found == coordinateSystems.end()) return false;
-    state.ctm = found->second;
+    state.ctm = found->second.transforms;
+    state.flat = found->second.flat;
     return true;
 }
 
@@ -137,6 +146,7 @@ void SceneBuilder::ObjectEnd(const FileLoc &loc) {
 }
 
 void SceneBuilder::ObjectInstance(const std::string &name, const FileLoc &loc) {
+    if (IsFlat()) return;
     (object ? object->instances : scene->instances).push_back({name, loc, state.ctm});
 }
 
@@ -153,6 +163,7 @@ bool SceneBuilder::Define(Definitions *places, std::string_view kind, const std:
 }
 
 void SceneBuilder::Shape(Entity shape) {
+    if (IsFlat()) return;
     Inherit(AttributeTarget::Shape, &shape);
     ShapeEntity s;
     static_cast<Entity &>(s) = std::move(shape);
@@ -175,6 +186,7 @@ void SceneBuilder::Shape(Entity shape) {
 }
 
 void SceneBuilder::LightSource(Entity light) {
+    if (IsFlat()) return;
     WarnIfMoving("a light", light.loc);
     Inherit(AttributeTarget::Light, &light);
     LightEntity &l = scene->lights.emplace_back();
@@ -187,7 +199,15 @@ void SceneBuilder::AreaLightSource(Entity light) {
     state.areaLight = std::make_shared<const Entity>(std::move(light));
 }
 
+void SceneBuilder::UseNewName(Entity *material) const {
+    if (!material->type.empty() && material->type != "none") return;
+    log->Warning(material->loc,
+                 fmt::format("material \"{}\" is an older name of \"interface\"", material->type));
+    material->type = "interface";
+}
+
 void SceneBuilder::Material(Entity material) {
+    UseNewName(&material);
     Inherit(AttributeTarget::Material, &material);
     state.material = int(scene->materials.size());
     state.namedMaterial.clear();
@@ -196,6 +216,7 @@ void SceneBuilder::Material(Entity material) {
 
 void SceneBuilder::MakeNamedMaterial(const std::string &name, Entity material) {
     if (!Define(&namedMaterials, "material", name, material.loc)) return;
+    UseNewName(&material);
     Inherit(AttributeTarget::Material, &material);
     NamedMaterialEntity &m = scene->namedMaterials.emplace_back();
     static_cast<Entity &>(m) = std::move(material);

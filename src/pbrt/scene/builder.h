@@ -33,8 +33,13 @@ class SceneBuilder {
     // The current transformation, at the shutter's start, end or both, as is active.
     void Concatenate(const Transform &t);
     void Replace(const Transform &t);
+    /// The current transformation gets a part that has no inverse: shapes and objects that it
+    /// places are flat and left out, until it is replaced.
+    void Flatten();
     void ActivateTransforms(bool start, bool end) { state.active = {start, end}; }
-    void SaveCoordinateSystem(const std::string &name) { coordinateSystems[name] = state.ctm; }
+    void SaveCoordinateSystem(const std::string &name) {
+        coordinateSystems[name] = {state.ctm, state.flat};
+    }
     /// False where there is none of this name.
     bool RestoreCoordinateSystem(const std::string &name);
     std::vector<std::string_view> CoordinateSystemNames() const;
@@ -55,6 +60,11 @@ class SceneBuilder {
         namedMaterials.try_emplace(name, loc);
     }
     void NamedMaterial(const std::string &name, const FileLoc &loc);
+    /// Media are refused where they are made; a use is an error where there is none of its name.
+    void DefineMedium(const std::string &name, const FileLoc &loc) { media.try_emplace(name, loc); }
+    void UseMedium(const std::string &name, const FileLoc &loc) {
+        mediumUses.try_emplace(name, loc);
+    }
     void Texture(const std::string &name, bool isFloat, Entity texture);
 
     /// Between the two, a file is read whose changes of state and coordinate systems stay inside.
@@ -65,8 +75,15 @@ class SceneBuilder {
     void Finish();
 
   private:
+    /// By time, whether the transformation has no inverse (and its matrix is another one).
+    using Flat = std::array<bool, 2>;
+    struct CoordinateSystem {
+        TransformPair transforms;
+        Flat flat{};
+    };
     struct State {
         TransformPair ctm;
+        Flat flat{};
         std::array<bool, 2> active{true, true};
         bool reverseOrientation = false;
         const RGBColorSpace *colorSpace = &RGBColorSpace::sRGB();
@@ -85,7 +102,7 @@ class SceneBuilder {
     struct Import {
         State state;
         std::vector<Scope> scopes;
-        std::map<std::string, TransformPair> coordinateSystems;
+        std::map<std::string, CoordinateSystem> coordinateSystems;
         ObjectEntity *object;
     };
     using Definitions = std::unordered_map<std::string, FileLoc>;
@@ -100,8 +117,12 @@ class SceneBuilder {
                 const FileLoc &loc);
     /// Warns that the transform at the shutter's start stands for a moving one.
     void WarnIfMoving(std::string_view what, const FileLoc &loc);
+    bool IsFlat() const { return state.flat[0] || state.flat[1]; }
     bool IsMoving() const { return state.ctm[0] != state.ctm[1]; }
+    /// "" and "none" become "interface", with a warning.
+    void UseNewName(Entity *material) const;
     void CheckMaterialUses();
+    void CheckMediumUses();
     void CheckInstanceUses();
 
     SceneDescription *scene;
@@ -109,12 +130,13 @@ class SceneBuilder {
     State state;
     std::vector<Scope> scopes;
     std::vector<Import> imports;
-    std::map<std::string, TransformPair> coordinateSystems;
+    std::map<std::string, CoordinateSystem> coordinateSystems;
     bool inWorld = false;
     ObjectEntity *object = nullptr;  ///< being defined
     std::string objectName;
     ObjectEntity redefined;  ///< takes what a refused definition holds
-    Definitions floatTextures, spectrumTextures, namedMaterials;
+    Definitions floatTextures, spectrumTextures, namedMaterials, media;
+    Definitions mediumUses;                                     ///< the first of each name
     std::vector<std::pair<std::string, FileLoc>> materialUses;  ///< by shapes
 };
 

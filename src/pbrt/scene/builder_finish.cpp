@@ -61,7 +61,17 @@ class InstanceCycles {
 void SceneBuilder::Finish() {
     ReportUnclosed();
     CheckMaterialUses();
+    CheckMediumUses();
     CheckInstanceUses();
+}
+
+void SceneBuilder::CheckMediumUses() {
+    const std::vector<std::string_view> known = Names(media);
+    for (const std::string_view name : Names(mediumUses))
+        if (!media.contains(std::string(name)))
+            log->Error(
+                mediumUses.at(std::string(name)),
+                fmt::format("medium \"{}\" is not defined{}", name, DidYouMean(name, known)));
 }
 
 void SceneBuilder::CheckMaterialUses() {

@@ -77,6 +77,9 @@ struct SceneDescription {
 /// Every object that is used is defined, and none contains itself: what would is reported and left
 /// out.
 void ParseFiles(const std::vector<std::string> &files, SceneDescription &scene, Diagnostics &log);
+/// True after the parsing of a scene for pbrt-v3 or older, which has been reported: it names
+/// several things as these did. There is no use in building it.
+bool IsOld(const Diagnostics &log);
 /// The same from text; `name` stands for the file in messages, `dir` for its folder.
 void ParseString(std::string_view text, std::string_view name, std::string_view dir,
                  SceneDescription &scene, Diagnostics &log);

@@ -7,6 +7,7 @@
 
 #include "pbrt/scene/arguments.h"
 #include "pbrt/scene/builder.h"
+#include "pbrt/util/upstream.h"
 
 namespace pbrt {
 
@@ -23,8 +24,14 @@ struct DirectiveContext {
           arguments(isDirective, log),
           readNested(std::move(readNested)) {}
 
-    std::optional<Entity> NamedEntity(std::string_view what) {
-        return arguments.NamedEntity(what, builder.ColorSpace());
+    /// A plug-in of this kind ("film"); `what` is what its name is in messages ("the film's name").
+    std::optional<Entity> NamedEntity(std::string_view kind, std::string_view what) {
+        std::optional<Entity> entity = arguments.NamedEntity(what, builder.ColorSpace());
+        if (entity) NoteIfOld(kind, entity->type, entity->loc);
+        return entity;
+    }
+    void NoteIfOld(std::string_view kind, std::string_view name, const FileLoc &loc) {
+        if (const OldName *const old = FindOldName(kind, name)) log->NoteOldName(*old, loc);
     }
 
     SceneDescription *scene;

@@ -17,22 +17,24 @@ namespace {
 // --- Settings of the whole image ---
 
 void ReadAccelerator(DirectiveContext &c) {
-    if (auto e = c.NamedEntity("the accelerator's name")) c.scene->accelerator = std::move(*e);
+    if (auto e = c.NamedEntity("accelerator", "the accelerator's name"))
+        c.scene->accelerator = std::move(*e);
 }
 void ReadCamera(DirectiveContext &c) {
-    if (auto e = c.NamedEntity("the camera's name")) c.builder.Camera(std::move(*e));
+    if (auto e = c.NamedEntity("camera", "the camera's name")) c.builder.Camera(std::move(*e));
 }
 void ReadFilm(DirectiveContext &c) {
-    if (auto e = c.NamedEntity("the film's name")) c.scene->film = std::move(*e);
+    if (auto e = c.NamedEntity("film", "the film's name")) c.scene->film = std::move(*e);
 }
 void ReadIntegrator(DirectiveContext &c) {
-    if (auto e = c.NamedEntity("the integrator's name")) c.scene->integrator = std::move(*e);
+    if (auto e = c.NamedEntity("integrator", "the integrator's name"))
+        c.scene->integrator = std::move(*e);
 }
 void ReadPixelFilter(DirectiveContext &c) {
-    if (auto e = c.NamedEntity("the filter's name")) c.scene->filter = std::move(*e);
+    if (auto e = c.NamedEntity("filter", "the filter's name")) c.scene->filter = std::move(*e);
 }
 void ReadSampler(DirectiveContext &c) {
-    if (auto e = c.NamedEntity("the sampler's name")) c.scene->sampler = std::move(*e);
+    if (auto e = c.NamedEntity("sampler", "the sampler's name")) c.scene->sampler = std::move(*e);
 }
 
 void ReadColorSpace(DirectiveContext &c) {
@@ -109,16 +111,18 @@ void ReadObjectInstance(DirectiveContext &c) {
 // --- Contents of the world ---
 
 void ReadShape(DirectiveContext &c) {
-    if (auto e = c.NamedEntity("the shape's name")) c.builder.Shape(std::move(*e));
+    if (auto e = c.NamedEntity("shape", "the shape's name")) c.builder.Shape(std::move(*e));
 }
 void ReadLightSource(DirectiveContext &c) {
-    if (auto e = c.NamedEntity("the light's name")) c.builder.LightSource(std::move(*e));
+    if (auto e = c.NamedEntity("light", "the light's name")) c.builder.LightSource(std::move(*e));
 }
 void ReadAreaLightSource(DirectiveContext &c) {
-    if (auto e = c.NamedEntity("the area light's name")) c.builder.AreaLightSource(std::move(*e));
+    if (auto e = c.NamedEntity("area light", "the area light's name"))
+        c.builder.AreaLightSource(std::move(*e));
 }
 void ReadMaterial(DirectiveContext &c) {
-    if (auto e = c.NamedEntity("the material's name")) c.builder.Material(std::move(*e));
+    if (auto e = c.NamedEntity("material", "the material's name"))
+        c.builder.Material(std::move(*e));
 }
 
 void ReadMakeNamedMaterial(DirectiveContext &c) {
@@ -134,6 +138,7 @@ void ReadMakeNamedMaterial(DirectiveContext &c) {
         return c.builder.RefuseNamedMaterial(*name, c.arguments.At());
     }
     e.type = type->strings[0];
+    c.NoteIfOld("material", e.type, type->loc);
     std::erase_if(e.params, [](const auto &p) { return p.name == "type" && p.type == "string"; });
     c.builder.MakeNamedMaterial(*name, std::move(e));
 }
@@ -150,32 +155,45 @@ void ReadTexture(DirectiveContext &c) {
     const std::optional<std::string> kind =
         name ? c.arguments.Name("\"float\" or \"spectrum\"") : std::nullopt;
     if (!kind) return;
-    const bool known = *kind == kKinds[0] || *kind == kKinds[1];
-    if (!known)
+    const bool isFloat = *kind == kKinds[0];
+    const OldName *const old = FindOldName("texture type", *kind);
+    const bool known = isFloat || *kind == kKinds[1] || old;
+    if (!known || (old && c.log->NoteOldName(*old, loc)))
         c.arguments.Error(loc, fmt::format("\"{}\" is not one of {}{}", *kind, QuotedList(kKinds),
-                                           *kind == "color" ? "; pbrt-v4 calls it \"spectrum\""
-                                                            : DidYouMean(*kind, kKinds)));
-    std::optional<Entity> e = c.NamedEntity("the texture's class");
-    if (e && known) c.builder.Texture(*name, *kind == kKinds[0], std::move(*e));
+                                           old ? fmt::format("; pbrt-v4 calls it \"{}\"", old->is)
+                                               : DidYouMean(*kind, kKinds)));
+    std::optional<Entity> e = c.NamedEntity("texture class", "the texture's class");
+    if (e && known) c.builder.Texture(*name, isFloat, std::move(*e));
 }
 
 // --- Media, which this renderer has not ---
 
 void ReadMakeNamedMedium(DirectiveContext &c) {
-    if (const auto name = c.arguments.Name("the medium's name"))
-        c.arguments.EntityOfType(*name, c.builder.ColorSpace());
-    c.log->Error(c.arguments.At(), "participating media are not supported");
+    const std::optional<std::string> name = c.arguments.Name("the medium's name");
+    if (!name) return;
+    c.builder.DefineMedium(*name, c.arguments.At());
+    const Entity e = c.arguments.EntityOfType(*name, c.builder.ColorSpace());
+    std::string_view type;
+    for (const ParsedParameter &p : e.params)
+        if (p.name == "type" && p.strings.size() == 1) type = p.strings[0];
+    const std::string upstream = PbrtHasIt("medium", type);
+    c.log->Error(
+        c.arguments.At(),
+        upstream.empty()
+            ? fmt::format("medium \"{}\" is of no type that pbrt-v4 has (\"string type\"), "
+                          "and only surfaces are rendered here",
+                          *name)
+            : fmt::format("medium \"{}\" (\"{}\"): {}", *name, type, upstream));
 }
 
 void ReadMediumInterface(DirectiveContext &c) {
-    bool vacuum = true;
     for (int i = 0; i < 2; ++i) {
         if (i == 1 && c.arguments.Peek().kind != TokenKind::String) break;
+        const FileLoc loc = c.arguments.Loc();
         const std::optional<std::string> name = c.arguments.Name("the medium's name");
         if (!name) return;
-        vacuum = vacuum && name->empty();
+        if (!name->empty()) c.builder.UseMedium(*name, loc);
     }
-    if (!vacuum) c.log->Error(c.arguments.At(), "participating media are not supported");
 }
 
 // --- Other files ---
@@ -265,9 +283,10 @@ std::span<const std::string_view> DirectiveNames() {
     return kNames;
 }
 
-std::string_view OldDirectiveHint(std::string_view name) {
-    if (name == "WorldEnd") return "pbrt-v4 scenes end without it";
-    if (name == "SurfaceIntegrator") return "pbrt-v4 calls it \"Integrator\"";
+std::string OldDirectiveHint(std::string_view name) {
+    if (const OldName *const old = FindOldName("directive", name))
+        return old->is.empty() ? "pbrt-v4 scenes end without it"
+                               : fmt::format("pbrt-v4 calls it \"{}\"", old->is);
     if (name == "VolumeIntegrator" || name == "Volume" || name == "Renderer")
         return "pbrt-v4 has none";
     return {};

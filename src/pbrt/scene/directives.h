@@ -22,6 +22,6 @@ struct Directive {
 const Directive *FindDirective(std::string_view name);
 std::span<const std::string_view> DirectiveNames();
 /// For a directive of pbrt-v3 that v4 has not: what to do about it; else empty.
-std::string_view OldDirectiveHint(std::string_view name);
+std::string OldDirectiveHint(std::string_view name);
 
 }  // namespace pbrt

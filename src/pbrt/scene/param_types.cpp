@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "pbrt/util/upstream.h"
+
 namespace pbrt {
 namespace {
 
@@ -25,9 +27,8 @@ constexpr std::array<std::string_view, kTypes.size()> kNames = [] {
 struct Renamed {
     std::string_view was, is;
 };
-constexpr std::array kRenamed{Renamed{"color", "rgb"},      Renamed{"point", "point3"},
-                              Renamed{"vector", "vector3"}, Renamed{"normal3", "normal"},
-                              Renamed{"xyz", "rgb"},        Renamed{"int", "integer"},
+/// Types of no pbrt that people write all the same.
+constexpr std::array kRenamed{Renamed{"normal3", "normal"}, Renamed{"int", "integer"},
                               Renamed{"boolean", "bool"}};
 
 }  // namespace
@@ -43,6 +44,7 @@ std::span<const std::string_view> ParamTypeNames() {
 }
 
 std::string_view NewNameOfType(std::string_view name) {
+    if (const OldName *const old = FindOldName("parameter type", name)) return old->is;
     for (const Renamed &r : kRenamed)
         if (r.was == name) return r.is;
     return {};

@@ -18,7 +18,8 @@ struct ParamType {
 /// nullptr where there is no such type.
 const ParamType *FindParamType(std::string_view name);
 std::span<const std::string_view> ParamTypeNames();
-/// pbrt-v4's name of a type of pbrt-v3 ("color": "rgb"); empty where `name` is none.
+/// pbrt-v4's name of a type of pbrt-v3 ("color": "rgb"), or of a likely slip ("int": "integer");
+/// empty where `name` is neither.
 std::string_view NewNameOfType(std::string_view name);
 
 /// A parameter declaration `type name` taken apart; empty where a part is missing.

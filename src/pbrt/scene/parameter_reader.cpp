@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "pbrt/scene/number.h"
+#include "pbrt/util/upstream.h"
 
 namespace pbrt {
 namespace {
@@ -71,6 +72,8 @@ void ParameterReader::ReadOne(Lexer &lexer, const RGBColorSpace *colorSpace) {
 
 const ParamType *ParameterReader::ReportUnknownType(const Declaration &d, const FileLoc &loc) {
     const std::string_view newName = NewNameOfType(d.type);
+    const OldName *const old = FindOldName("parameter type", d.type);
+    if (old && !log->NoteOldName(*old, loc)) return FindParamType(newName);
     const std::string hint = newName.empty() ? DidYouMean(d.type, ParamTypeNames())
                                              : fmt::format("; pbrt-v4 calls it \"{}\"", newName);
     log->Error(loc,

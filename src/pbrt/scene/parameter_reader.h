@@ -30,7 +30,8 @@ class ParameterReader {
     };
 
     void ReadOne(Lexer &lexer, const RGBColorSpace *colorSpace);
-    /// Returns the type that was probably meant, if any: the parameter then counts as given.
+    /// Returns the type that was probably meant, if any: the parameter then counts as given. Of a
+    /// type of pbrt-v3 only the first use is reported.
     const ParamType *ReportUnknownType(const Declaration &d, const FileLoc &loc);
     // True where the values are right; they are then in the buffers below. A wrong one is reported
     // and left to the caller to skip.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 
 #include "pbrt/scene/scene_file.h"
 #include "pbrt/util/check.h"
@@ -188,7 +189,12 @@ std::optional<RGB> ParamDict::CheckedRGB(const ParsedParameter &p, float most) {
 
 std::string ParamDict::GetFileName(const StringParam &row) {
     const std::string given = GetOneString(row);
-    return given.empty() ? given : ResolvePath(given, dir);
+    if (given.empty()) return given;
+    std::string path = ResolvePath(given, dir);
+    std::error_code unknown;
+    if (std::filesystem::status(path, unknown).type() == std::filesystem::file_type::not_found)
+        diagnostics->MissingFile(Loc(row.name), given, dir);
+    return path;
 }
 
 std::optional<std::string> ParamDict::GetTexture(const ParamRow &row) {

@@ -64,10 +64,14 @@ void ParamDict::ReportUnused(const ParsedParameter &p, size_t index) {
         return diagnostics->Error(p.loc,
                                   fmt::format("\"{}\": expected {}", given, QuotedList(all)));
     }
+    if (const std::string upstream = PbrtHasIt(what, p.name); !upstream.empty())
+        return diagnostics->Error(p.loc,
+                                  fmt::format("parameter \"{}\" of {}: {}", given, what, upstream));
     const std::string unknown = fmt::format("unknown parameter \"{}\" of {}", given, what);
     if (known.empty()) return diagnostics->Error(p.loc, unknown + ", which takes none");
-    const std::string upstream = PbrtHasIt(what, p.name);
-    const std::string hint = upstream.empty() ? DidYouMean(p.name, known) : upstream + ';';
+    const OldName *const old = FindOldName("parameter", p.name);
+    const std::string hint =
+        old ? fmt::format("; pbrt-v4 calls it \"{}\";", old->is) : DidYouMean(p.name, known);
     diagnostics->Error(p.loc, fmt::format("{}{} known: {}", unknown, hint.empty() ? ";" : hint,
                                           fmt::join(known, ", ")));
 }

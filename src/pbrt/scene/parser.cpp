@@ -65,6 +65,23 @@ void Parser::Finish() {
     if (!context.builder.InWorld() && allFilesRead)
         log->Error({open[0].shown, 0, 0}, "the scene ends without WorldBegin");
     context.builder.Finish();
+    if (IsOld(*log)) ReportOld();
+}
+
+void Parser::ReportOld() {
+    std::string names;
+    for (const auto &[old, loc] : log->OldNames()) {
+        const bool isPlugIn = old->kind != "directive" && !old->kind.ends_with(" type");
+        if (isPlugIn)
+            log->Error(loc, fmt::format("{} \"{}\": pbrt-v4 calls it \"{}\"", old->kind, old->was,
+                                        old->is));
+        names += fmt::format("{}{} -> {}", names.empty() ? "" : ", ", old->was,
+                             old->is.empty() ? "nothing" : old->is);
+    }
+    log->Error({open[0].shown, 0, 0},
+               fmt::format("this is a scene for pbrt-v3 or older: \"pbrt --upgrade\" of pbrt-v4 "
+                           "rewrites it ({})",
+                           names));
 }
 
 void Parser::ReadTokens(std::string_view text, std::string_view name) {
@@ -93,7 +110,9 @@ void Parser::ReadDirective(Lexer &lexer) {
     if (!directive) {
         if (!lexer.ReportMissingQuote()) {
             RefuseDirective(token);
+            const bool isIntegrator = token.text == "SurfaceIntegrator";
             if (token.kind != TokenKind::Open) lexer.Advance();
+            if (isIntegrator) context.NoteIfOld("integrator", lexer.Peek().text, lexer.Loc());
         }
         return context.arguments.Resynchronise();
     }
@@ -107,7 +126,8 @@ void Parser::RefuseDirective(const Token &token) {
     const FileLoc &at = context.arguments.At();
     if (token.kind != TokenKind::Word || !MayBeDirective(token.text))
         return log->Error(at, fmt::format("expected a directive, found {}", Describe(token)));
-    const std::string_view old = OldDirectiveHint(token.text);
+    const std::string old = OldDirectiveHint(token.text);
+    context.NoteIfOld("directive", token.text, at);
     log->Error(at, fmt::format("unknown directive {}{}", Describe(token),
                                old.empty() ? DidYouMean(token.text, DirectiveNames())
                                            : fmt::format("; {}", old)));
@@ -160,6 +180,11 @@ void Parser::ReportCycle(const OpenFile &again, const FileLoc &use) {
         if (within) chain += fmt::format("\"{}\" -> ", f.shown);
     }
     log->Error(use, fmt::format("the file includes itself: {}\"{}\"", chain, again.shown));
+}
+
+bool IsOld(const Diagnostics &log) {
+    constexpr size_t kFewest = 2;  // one is a slip of the hand
+    return log.OldNames().size() >= kFewest;
 }
 
 void ParseFiles(const std::vector<std::string> &files, SceneDescription &scene, Diagnostics &log) {

@@ -35,6 +35,8 @@ class Parser {
     void ReadNested(const std::string &name, const FileLoc &use);
     /// Counts one more; false, once with an error, where these are too many or too deep.
     bool MayInclude(const FileLoc &use);
+    /// Says that the whole scene is of an older pbrt, and which names changed.
+    void ReportOld();
     void ReportCycle(const OpenFile &again, const FileLoc &use);
 
     SceneDescription *scene;

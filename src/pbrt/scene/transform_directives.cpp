@@ -7,12 +7,27 @@
 namespace pbrt {
 namespace {
 
+/// A matrix without inverse is no mistake: animations write them for what they hide.
+void Flatten(DirectiveContext &c) {
+    c.builder.Flatten();
+    c.log->WarningOnce(c.arguments.At(),
+                       "this transformation has no inverse: shapes, objects and lights that it "
+                       "places are left out");
+}
+
 /// Multiplies the current transformation by `t`; `whyNot` is the error where there is none.
 void Concatenate(DirectiveContext &c, const std::optional<Transform> &t, std::string_view whyNot) {
     if (t)
         c.builder.Concatenate(*t);
     else
         c.arguments.Error(c.arguments.At(), whyNot);
+}
+
+void ConcatenateOrFlatten(DirectiveContext &c, const std::optional<Transform> &t) {
+    if (t)
+        c.builder.Concatenate(*t);
+    else
+        Flatten(c);
 }
 
 }  // namespace
@@ -30,7 +45,7 @@ void ReadTranslate(DirectiveContext &c) {
 void ReadScale(DirectiveContext &c) {
     constexpr std::array<std::string_view, 3> kLabels{"x", "y", "z"};
     if (const auto v = c.arguments.Numbers(kLabels))
-        Concatenate(c, Transform::Scale({(*v)[0], (*v)[1], (*v)[2]}), "a factor must not be 0");
+        ConcatenateOrFlatten(c, Transform::Scale({(*v)[0], (*v)[1], (*v)[2]}));
 }
 
 void ReadRotate(DirectiveContext &c) {
@@ -53,15 +68,14 @@ void ReadLookAt(DirectiveContext &c) {
 void ReadTransform(DirectiveContext &c) {
     const std::optional<Matrix4> m = c.arguments.BracketedMatrix();
     if (!m) return;
-    if (const auto t = Transform::FromMatrix(*m))
-        c.builder.Replace(*t);
-    else
-        c.arguments.Error(c.arguments.At(), "the matrix has no inverse");
+    const std::optional<Transform> t = Transform::FromMatrix(*m);
+    c.builder.Replace(t.value_or(Transform()));
+    if (!t) Flatten(c);
 }
 
 void ReadConcatTransform(DirectiveContext &c) {
     if (const std::optional<Matrix4> m = c.arguments.BracketedMatrix())
-        Concatenate(c, Transform::FromMatrix(*m), "the matrix has no inverse");
+        ConcatenateOrFlatten(c, Transform::FromMatrix(*m));
 }
 
 void ReadCoordinateSystem(DirectiveContext &c) {

@@ -96,6 +96,7 @@ class CurveReader {
   private:
     std::optional<size_t> CountSegments(size_t points, bool isBezier, int degree) {
         const size_t d = size_t(degree);
+        if (points == 0 && params.IsNamed(kP.name)) return {};  // wrong, and reported
         if (points == 0) {
             params.Error(fmt::format("{} needs \"point3 P\"", params.What()));
             return {};

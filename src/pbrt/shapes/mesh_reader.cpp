@@ -7,6 +7,7 @@ namespace pbrt {
 bool MeshReader::PointsAndIndices(std::vector<Point3f> *p, std::vector<uint32_t> *indices) {
     *p = params.GetPoint3fArray(kP);
     const std::vector<int> given = params.GetIntArray(kIndices);
+    if (p->empty() && params.IsNamed(kP.name)) return ok = false;  // wrong, and reported
     if (p->empty()) return Fail("", fmt::format("{} needs \"point3 P\"", params.What()));
     if (given.empty() && p->size() != size_t(corners))
         return Fail("", fmt::format("{} needs \"integer indices\", for it has {} points and "

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "pbrt/shapes/displacement.h"
 #include "pbrt/shapes/place_mesh.h"
 #include "pbrt/shapes/ply.h"
@@ -33,6 +35,24 @@ TriangleMesh Triangles(PlyMesh ply) {
     return mesh;
 }
 
+/// Exporters give triangles without area normals that are not numbers. Such vertices get none (0):
+/// they take no part in the interpolation. A warning names the first.
+void DropBrokenNormals(std::vector<Normal3f> *normals, const std::string &fileName,
+                       ParamDict &params) {
+    size_t count = 0, first = 0;
+    for (size_t i = 0; i < normals->size(); ++i) {
+        Normal3f &n = (*normals)[i];
+        if (std::isfinite(n.x) && std::isfinite(n.y) && std::isfinite(n.z)) continue;
+        n = {};
+        if (count++ == 0) first = i;
+    }
+    if (count > 0)
+        params.Warning(kFileName.name,
+                       fmt::format("{}: {} of {} normals are not finite, the first is that of "
+                                   "vertex {}; these vertices have none",
+                                   fileName, count, normals->size(), first));
+}
+
 }  // namespace
 
 std::vector<PlyFile::Mesh> PlyFile::Create(const ShapeArguments &a) {
@@ -60,6 +80,7 @@ std::vector<PlyFile::Mesh> PlyFile::Create(const ShapeArguments &a) {
         a.params.Warning(kFileName.name,
                          fmt::format("{}: {} faces have other than 3 or 4 corners and are left out",
                                      fileName, ply->otherFaces));
+    DropBrokenNormals(&ply->n, fileName, a.params);
     if (ply->triangles.empty() && ply->quads.empty()) return fail("has no face of 3 or 4 corners");
 
     if (!displacement.IsConstant() || displacement.Constant() != 0) {

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <numeric>
+#include <tuple>
 
 #include "pbrt/util/upstream.h"
 
@@ -35,6 +37,7 @@ void Diagnostics::WarningOnce(const FileLoc &loc, std::string_view message) {
 
 void Diagnostics::Add(Severity severity, const FileLoc &loc, std::string_view message) {
     constexpr size_t kLongest = 2000;
+    if (severity == Severity::Error && FollowsFromMissingFile(loc)) return;
     if (severity == Severity::Error) ++errors;
     std::string text = Shortened(
         loc.line > 0       ? fmt::format("{}:{}:{}: {}", loc.file, loc.line, loc.column, message)
@@ -42,8 +45,73 @@ void Diagnostics::Add(Severity severity, const FileLoc &loc, std::string_view me
                            : fmt::format("{}: {}", loc.file, message),
         kLongest);
     if (!messages.empty() && messages.back().text == text) return;
-    messages.push_back({severity, std::move(text)});
+    int file = 0;
+    if (!loc.file.empty())
+        file = fileNumbers.try_emplace(std::string(loc.file), int(fileNumbers.size()) + 1)
+                   .first->second;
+    messages.push_back({severity, std::move(text), file, loc.line, loc.column});
 }
+
+std::vector<const Message *> Diagnostics::InOrderOfPlace() const {
+    std::vector<const Message *> sorted;
+    for (const Message &m : messages)
+        sorted.push_back(&m);
+    std::stable_sort(sorted.begin(), sorted.end(), [](const Message *a, const Message *b) {
+        return std::tie(a->file, a->line, a->column) < std::tie(b->file, b->line, b->column);
+    });
+    return sorted;
+}
+
+// --- Missing files ---
+
+namespace {
+
+/// With an end of "/", absolute, for messages; without ".." and ".".
+std::string AbsoluteFolder(const std::filesystem::path &folder) {
+    std::error_code unknown;
+    const std::string path = std::filesystem::absolute(folder, unknown).lexically_normal().string();
+    return path.ends_with('/') ? path : path + '/';
+}
+
+}  // namespace
+
+bool Diagnostics::FollowsFromMissingFile(const FileLoc &loc) const {
+    return std::find(namingMissing.begin(), namingMissing.end(), loc) != namingMissing.end();
+}
+
+void Diagnostics::MissingFile(const FileLoc &loc, std::string_view name, std::string_view folder) {
+    constexpr size_t kMostOfAFolder = 20;
+    const std::filesystem::path inside = std::filesystem::path(name).parent_path();
+    MissingFolder &of = missing[inside.string()];
+    const bool isNew = of.names.emplace(name).second;
+    if (isNew) of.lookedIn = {AbsoluteFolder(folder / inside)};
+    if (const std::string here = AbsoluteFolder(inside); isNew && here != of.lookedIn[0])
+        of.lookedIn.push_back(here);
+    if (isNew && of.names.size() <= kMostOfAFolder)
+        Error(loc, fmt::format("there is no file \"{}\"", Shortened(name, 300)));
+    else
+        ++errors;
+    namingMissing.push_back(loc);
+}
+
+std::vector<std::string> Diagnostics::MissingFiles() const {
+    std::vector<std::string> lines;
+    for (const auto &[folder, of] : missing)
+        lines.push_back(fmt::format(
+            "{} file{} of {} {} missing; looked for in {}", of.names.size(),
+            of.names.size() == 1 ? "" : "s", folder.empty() ? "the scene's folder" : folder + '/',
+            of.names.size() == 1 ? "is" : "are", fmt::join(of.lookedIn, " and ")));
+    return lines;
+}
+
+bool Diagnostics::NoteOldName(const OldName &name, const FileLoc &loc) {
+    for (const OldNameUse &use : oldNames)
+        if (use.name == &name) return false;
+    oldNames.push_back({&name, loc});
+    return true;
+}
+
+// --- Names ---
 
 namespace {
 
@@ -95,8 +163,11 @@ std::string DidYouMean(std::string_view name, std::span<const std::string_view> 
 
 std::string UnknownName(std::string_view kind, std::string_view name,
                         std::span<const std::string_view> known) {
-    const std::string upstream = PbrtHasIt(kind, name);
-    const std::string hint = upstream.empty() ? DidYouMean(name, known) : upstream + '.';
+    if (const std::string upstream = PbrtHasIt(kind, name); !upstream.empty())
+        return fmt::format("{} \"{}\": {}", kind, name, upstream);
+    if (const OldName *const old = FindOldName(kind, name))
+        return fmt::format("unknown {} \"{}\"; pbrt-v4 calls it \"{}\"", kind, name, old->is);
+    const std::string hint = DidYouMean(name, known);
     return fmt::format("unknown {} \"{}\"{} Known: {}", kind, Shortened(name),
                        hint.empty() ? "." : hint, QuotedList(known));
 }

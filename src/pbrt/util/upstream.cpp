@@ -5,34 +5,26 @@
 namespace pbrt {
 namespace {
 
-// One row a line: scripts/compatibility.sh reads them, too.
+// scripts/compatibility.sh reads them, too.
 constexpr std::array kNames{
-    UpstreamName{"camera", "realistic", "perspective"},
-    UpstreamName{"camera", "spherical", ""},
-    UpstreamName{"integrator", "bdpt", "path"},
-    UpstreamName{"integrator", "function", ""},
-    UpstreamName{"integrator", "lightpath", "path"},
-    UpstreamName{"integrator", "mlt", "path"},
-    UpstreamName{"integrator", "simplevolpath", ""},
-    UpstreamName{"integrator", "sppm", "path"},
-    UpstreamName{"accelerator", "kdtree", "bvh"},
-    UpstreamName{"shape", "loopsubdiv", "trianglemesh"},
-    UpstreamName{"material", "measured", ""},
-    UpstreamName{"material", "subsurface", ""},
-    UpstreamName{"texture class", "bilerp", ""},
-    UpstreamName{"texture class", "directionmix", ""},
-    UpstreamName{"texture class", "dots", ""},
-    UpstreamName{"texture class", "fbm", ""},
-    UpstreamName{"texture class", "marble", ""},
-    UpstreamName{"texture class", "windy", ""},
-    UpstreamName{"texture class", "wrinkled", ""},
-    UpstreamName{"light", "goniometric", "point"},
-    UpstreamName{"light", "projection", "spot"},
-    UpstreamName{"shape \"bilinearmesh\"", "emissionfilename", ""},
-    UpstreamName{"shape \"plymesh\"", "displacement", ""},
-    UpstreamName{"shape \"plymesh\"", "edgelength", ""},
-    UpstreamName{"light \"infinite\"", "portal", ""},
-    UpstreamName{"area light \"diffuse\"", "filename", ""},
+    UpstreamName{"camera", "realistic", "Use \"perspective\" with \"fov\" and \"lensradius\""},
+    UpstreamName{"integrator", "function", "It tests samplers and shows no scene; use \"path\""},
+    UpstreamName{"medium", "cloud",
+                 "Only surfaces are rendered: take out medium and MediumInterface"},
+    UpstreamName{"medium", "homogeneous",
+                 "Only surfaces are rendered: take out medium and MediumInterface"},
+    UpstreamName{"medium", "nanovdb",
+                 "Only surfaces are rendered: take out medium and MediumInterface"},
+    UpstreamName{"medium", "rgbgrid",
+                 "Only surfaces are rendered: take out medium and MediumInterface"},
+    UpstreamName{"medium", "uniformgrid",
+                 "Only surfaces are rendered: take out medium and MediumInterface"},
+    UpstreamName{"material", "measured",
+                 "Use \"conductor\" or \"coateddiffuse\" with a color like it"},
+    UpstreamName{"material", "subsurface", "Use \"coateddiffuse\" with the color that it shows"},
+    UpstreamName{"texture class", "bilerp", "Use \"imagemap\" with a picture of 2 x 2 pixels"},
+    UpstreamName{"texture class", "marble", "Use \"imagemap\" with a picture of it"},
+    UpstreamName{"texture class", "windy", "Use \"fbm\" or \"imagemap\""},
     UpstreamName{"option of pbrt", "debugstart", ""},
     UpstreamName{"option of pbrt", "disableimagetextures", ""},
     UpstreamName{"option of pbrt", "displacementedgescale", ""},
@@ -53,13 +45,48 @@ constexpr std::array kNames{
     UpstreamName{"option of pbrt", "writepartialimages", ""},
     UpstreamName{"command of imgtool", "assemble", ""},
     UpstreamName{"command of imgtool", "bloom", ""},
-    UpstreamName{"command of imgtool", "cat", "info"},
+    UpstreamName{"command of imgtool", "cat", "Use \"info\""},
     UpstreamName{"command of imgtool", "falsecolor", ""},
     UpstreamName{"command of imgtool", "makeemitters", ""},
     UpstreamName{"command of imgtool", "makesky", ""},
     UpstreamName{"command of imgtool", "scalenormalmap", ""},
     UpstreamName{"command of imgtool", "splitn", ""},
     UpstreamName{"command of imgtool", "whitebalance", ""},
+};
+
+constexpr std::array kOldNames{
+    OldName{"film", "image", "rgb"},
+    OldName{"camera", "environment", "spherical"},
+    OldName{"sampler", "02sequence", "paddedsobol"},
+    OldName{"sampler", "lowdiscrepancy", "paddedsobol"},
+    OldName{"sampler", "maxmindist", "pmj02bn"},
+    OldName{"sampler", "random", "independent"},
+    OldName{"integrator", "directlighting", "path"},
+    OldName{"integrator", "whitted", "path"},
+    OldName{"material", "disney", "diffuse"},
+    OldName{"material", "fourier", "measured"},
+    OldName{"material", "glass", "dielectric"},
+    OldName{"material", "kdsubsurface", "subsurface"},
+    OldName{"material", "matte", "diffuse"},
+    OldName{"material", "metal", "conductor"},
+    OldName{"material", "mirror", "conductor"},
+    OldName{"material", "plastic", "coateddiffuse"},
+    OldName{"material", "substrate", "coateddiffuse"},
+    OldName{"material", "translucent", "diffusetransmission"},
+    OldName{"material", "uber", "coateddiffuse"},
+    OldName{"texture type", "color", "spectrum"},
+    OldName{"directive", "SurfaceIntegrator", "Integrator"},
+    OldName{"directive", "WorldEnd", ""},
+    OldName{"parameter type", "color", "rgb"},
+    OldName{"parameter type", "point", "point3"},
+    OldName{"parameter type", "vector", "vector3"},
+    OldName{"parameter type", "xyz", "rgb"},
+    OldName{"parameter", "bumpmap", "displacement"},
+    OldName{"parameter", "Kd", "reflectance"},
+    OldName{"parameter", "mapname", "filename"},
+    OldName{"parameter", "maxsampleluminance", "maxcomponentvalue"},
+    OldName{"parameter", "xwidth", "xradius"},
+    OldName{"parameter", "ywidth", "yradius"},
 };
 
 }  // namespace
@@ -71,11 +98,17 @@ std::span<const UpstreamName> NotBuiltHere() {
 std::string PbrtHasIt(std::string_view kind, std::string_view name) {
     for (const UpstreamName &row : kNames) {
         if (row.kind != kind || row.name != name) continue;
-        std::string text = "; pbrt-v4 has it, not built here";
-        if (!row.instead.empty()) text += "; use \"" + std::string(row.instead) + '"';
+        std::string text = "pbrt-v4 has it; not built here";
+        if (!row.advice.empty()) text.append(". ").append(row.advice);
         return text;
     }
     return {};
+}
+
+const OldName *FindOldName(std::string_view kind, std::string_view name) {
+    for (const OldName &row : kOldNames)
+        if (row.kind == kind && row.was == name) return &row;
+    return nullptr;
 }
 
 }  // namespace pbrt
