@@ -91,6 +91,7 @@ void ExpectRefused(const std::string &text) {
     for (const Message &m : log.Messages())
         said |= m.text.find("not built here") != m.text.npos ||
                 m.text.find("not supported") != m.text.npos ||
+                m.text.find("is not one of") != m.text.npos ||
                 m.text.find("stretched") != m.text.npos;
     EXPECT_TRUE(said);
 }
