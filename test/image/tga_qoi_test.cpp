@@ -40,7 +40,7 @@ std::string Short(int v) {
 /// A TGA file of 3 x 2 pixels, whose codes are given row by row from the top.
 struct TgaFile {
     int kind = 2, bits = 24, descriptor = 32;
-    std::vector<std::string> pixels;  ///< of six
+    std::vector<std::string> pixels{};  ///< of six
     std::vector<std::string> palette{};
     int firstEntry = 0, entryBits = 0;
 

@@ -81,7 +81,7 @@ const std::vector<Exception> &Exceptions() {
                         "nbuckets",
                         {Number("xresolution", 1), Number("yresolution", 1)}});
         for (const std::string_view camera :
-             {"camera \"perspective\"", "camera \"orthographic\""}) {
+             {"camera \"perspective\"", "camera \"orthographic\"", "camera \"spherical\""}) {
             list.push_back({camera, "shutteropen", {}, true, false});
             list.push_back({camera, "shutterclose", {}, false, true});
         }

@@ -88,7 +88,11 @@ TEST(Reference, TheDocumentIsWhatThePlugInsAskFor) {
 
 TEST(Reference, NamesArePbrts) {
     // Written there as "u/v" and the like.
-    const std::set<std::string_view> shorthand{};
+    // Written there as conductor.{eta, k, roughness ...} and interface.{...}.
+    const std::set<std::string_view> shorthand{"conductor.k",          "conductor.roughness",
+                                               "conductor.uroughness", "conductor.vroughness",
+                                               "interface.roughness",  "interface.uroughness",
+                                               "interface.vroughness"};
     const std::string format = ReadDocument("PBRT_FORMAT.md");
     for (const Family &family : Families())
         for (const std::string_view type : family.types()) {

@@ -191,10 +191,10 @@ TEST(GBufferFilm, HoldsAlbedoAndVariance) {
         EXPECT_NEAR(At(image, ("Albedo." + rgb).c_str()), 0.3, 0.03) << rgb;
         const float variance = At(image, ("Variance." + rgb).c_str());
         EXPECT_GT(variance, 0);
-        // Of the samples' own mean, which the filter does not weigh.
+        // Over the samples' own mean, which the filter does not weigh.
         EXPECT_NEAR(
-            At(image, ("RelativeVariance." + rgb).c_str()) * Sqr(image.Get({8, 8}, c)) / variance,
-            1, 0.1);
+            At(image, ("RelativeVariance." + rgb).c_str()) * image.Get({8, 8}, c) / variance, 1,
+            0.1);
     }
 }
 

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "shapes/make.h"
 
 namespace pbrt {
@@ -53,7 +55,7 @@ TEST(Curve, QuadraticsAndBSplinesBecomeCubicBeziers) {
 
 TEST(Curve, DerivativeIsThatOfThePosition) {
     const CurveSet c =
-        Curves("Shape \"curve\" \"string basis\" \"bspline\" " + std::string(kPointsText));
+        Curves(fmt::format("Shape \"curve\" \"string basis\" \"bspline\" {}", kPointsText));
     const float h = 1e-2f;
     for (float u : {0.1f, 0.5f, 0.9f}) {
         const Vector3f slope =

@@ -148,11 +148,14 @@ concept BasicLight = PlugInType<L> && std::copyable<L> &&
 ///   float PDF_Hit(Point3f ref, Point3f p, Normal3f n) const
 ///       density of SampleLi per unit solid angle for the direction from ref that meets the light's
 ///       primitive at p, where its normal is n.
+///   bool ReadsUV() const
+///       whether L looks at uv, which then are worked out.
 template <typename T>
 concept AreaLightType = requires(const T l, Point3f p, Normal3f n, Point2f uv, Vector3f w,
                                  const SampledWavelengths &lambda) {
     { l.L(p, n, uv, w, lambda) } -> std::same_as<SampledSpectrum>;
     { l.PDF_Hit(p, p, n) } -> std::same_as<float>;
+    { l.ReadsUV() } -> std::same_as<bool>;
 };
 
 /// A light with isInfinite.

@@ -22,22 +22,20 @@ std::span<const std::string_view> SensorNames() {
 }
 
 constexpr FloatParam kIso{"iso", "", 100, 1e-6f, 1e9f, "sensor speed"};
-constexpr FloatParam kMaxComponent{"maxcomponentvalue",
-                                   "",
-                                   kOpen,
-                                   0,
-                                   kOpen,
-                                   "samples of which the sensor sees "
-                                   "more (cie1931: XYZ, else the "
-                                   "camera's RGB) are scaled down to it"};
-constexpr FloatParam kWhiteBalance{"whitebalance",
-                                   "K",
-                                   0,
-                                   0,
-                                   25000,
-                                   "color temperature that becomes white, "
-                                   "from 500; 0: none with cie1931, 6500 "
-                                   "with cameras"};
+constexpr FloatParam kMaxComponent{
+    "maxcomponentvalue",
+    "",
+    kOpen,
+    0,
+    kOpen,
+    "samples of which the sensor's XYZ or RGB exceed it are scaled to it"};
+constexpr FloatParam kWhiteBalance{
+    "whitebalance",
+    "K",
+    0,
+    0,
+    25000,
+    "temperature that becomes white, from 500; 0: cameras take 6500"};
 constexpr float kLeastKelvin = 500, kLeastDaylight = 4000, kDefaultOfCameras = 6500;
 constexpr FloatParam kDiagonal{"diagonal", "mm", 35,
                                1e-6f,      1e6f, "no effect: concerns realistic cameras only"};

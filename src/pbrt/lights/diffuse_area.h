@@ -85,6 +85,7 @@ struct DiffuseAreaLight {
         SampleRectangles(lights, ctx, u, lambda, rectangles, samples);
         return rectangles;
     }
+    bool ReadsUV() const { return surface->picture != nullptr; }
     float Power() const;
     std::optional<LightBounds> Bounds() const;
 

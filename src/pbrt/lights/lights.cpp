@@ -136,4 +136,11 @@ std::optional<LightBounds> Bounds(const Light &light) {
     return Dispatch(light, [](const auto &l) { return l.Bounds(); });
 }
 
+bool ReadsUV(const Light &light) {
+    return Dispatch(light, []<typename T>(const T &l) -> bool {
+        if constexpr (T::kTraits.isArea) return l.ReadsUV();
+        return false;
+    });
+}
+
 }  // namespace pbrt

@@ -71,6 +71,9 @@ inline SampledSpectrum L(const Light &light, Point3f p, Normal3f n, Point2f uv, 
     });
 }
 
+/// Whether L depends on uv; false but for area lights.
+bool ReadsUV(const Light &light);
+
 /// Radiance along a ray that leaves the scene; 0 but for infinite lights.
 inline SampledSpectrum Le(const Light &light, const Ray &ray, const SampledWavelengths &lambda) {
     return Dispatch(light, [&]<typename T>(const T &l) {

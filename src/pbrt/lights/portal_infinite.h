@@ -35,9 +35,9 @@ struct PortalInfiniteLight {
         R"("string filename" "example.exr" "point3 portal" [ 7 7 6 7 -7 6 -7 -7 6 -7 7 6 ])",
         R"("rgb L" [ 1 2 3 ] "float illuminance" 3
            "point3 portal" [ 6 8 8 6 8 -8 6 -8 -8 6 -8 8 ])"};
-    static constexpr ArrayParam kPortal{"portal", "point3", "light comes from everywhere",
-                                        "four corners in the world of a rectangle through which "
-                                        "all light comes; clockwise as seen from inside"};
+    static constexpr ArrayParam kPortal{
+        "portal", "point3", "light comes from everywhere",
+        "rectangle through which all light comes, in the world; clockwise from inside"};
     /// `portal` must be given.
     static std::optional<PortalInfiniteLight> Create(ParamDict &params,
                                                      const Transform &renderFromLight,

@@ -6,7 +6,7 @@ namespace pbrt {
 namespace {
 
 constexpr StringParam kFileName{"filename", "", "the picture"};
-constexpr FloatParam kFov{"fov",      "degrees", 90,
+constexpr FloatParam kFov{"fov",      "deg", 90,
                           kAboveZero, 179.9999f, "angle that the picture's shorter side subtends"};
 
 /// Half the sides of the picture in the plane z = 1.

@@ -31,7 +31,8 @@ class BatchTracer final : public Tracer {
             queue.KeepNormals(settings.lightSampler.ReadsNormals());
         for (const Geometry &g : scene.geometries) {
             materialOf.push_back(uint32_t(g.material));
-            kindOf.push_back(scene.AsMix(g.material) ? kMix : MaterialGroup(uint32_t(g.material)));
+            kindOf.push_back(scene.AsMix(g.material) ? kMix
+                                                     : MaterialGroup(uint32_t(g.material), g));
         }
     }
 
@@ -162,7 +163,7 @@ class BatchTracer final : public Tracer {
             const MaterialId id = scene.MaterialMet(
                 MaterialId(material[i]), scene.SurfaceAt(hits.At(i), ray), ray.d, paths.clamped);
             material.Set(i, uint32_t(id));
-            kind.Set(i, MaterialGroup(uint32_t(id)));
+            kind.Set(i, MaterialGroup(uint32_t(id), scene.geometries[geometry[i]]));
         });
         Scatter(&paths.material[0], place, material, met);
         kind = Select(found, kind, 0);
@@ -172,9 +173,13 @@ class BatchTracer final : public Tracer {
         }
     }
 
-    /// Number of the list for paths that meet this material.
-    uint32_t MaterialGroup(uint32_t material) const {
-        return uint32_t(1 + ShadeGroup::IndexOf(scene.materials.Facts(material)));
+    /// Number of the list for paths that meet this material on a geometry.
+    uint32_t MaterialGroup(uint32_t material, const Geometry &geometry) const {
+        MaterialFacts facts = scene.materials.Facts(material);
+        // Uniform materials do without uv, which the image of an area light is looked up by.
+        if (geometry.firstLight >= 0 && ReadsUV(scene.lights[size_t(geometry.firstLight)]))
+            facts.isUniform = false;
+        return uint32_t(1 + ShadeGroup::IndexOf(facts));
     }
 
     /// Paths at the given places of the queue, all of one kind.
