@@ -81,7 +81,6 @@ TEST(ParamDict, DefaultsWhereNothingIsGiven) {
     EXPECT_FALSE(d->GetOneSpectrum(L("L", SpectrumType::Illuminant)));
     EXPECT_FALSE(d->GetOneRGB(L("L")));
     EXPECT_FALSE(d->GetTexture(F("t")));
-    EXPECT_EQ(d->GetFileName(S("filename", "pbrt.exr")), "pbrt.exr");
     EXPECT_EQ(d->GetFileName(S("filename")), "");
     EXPECT_TRUE(d->GetFloatArray(List("a", "float")).empty());
     EXPECT_TRUE(d->GetPoint3fArray(List("a", "point3")).empty());
