@@ -89,7 +89,7 @@ TEST(Displacement, SaysWhatIsMissing) {
     TriangleMesh fine = Square();
     const auto why = Displace(1.f, 1e-6f, Transform(), &fine);
     ASSERT_TRUE(why);
-    EXPECT_EQ(*why, "\"edgelength\" 1e-06 makes up to 8.8e+12 triangles, more than fit here");
+    EXPECT_EQ(*why, "\"edgelength\" 1e-06 makes about 8.8e+12 triangles, more than fit here");
 }
 
 using DisplacedPly = TempFolder;

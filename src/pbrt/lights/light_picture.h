@@ -27,9 +27,12 @@ class LightPicture {
         if (t.scale == 0) return SampledSpectrum(0.f);
         return t.sigmoid.Sample(lambda) * illuminant.Sample(lambda) * t.scale;
     }
-    /// The texel at p in [0, 1]^2, whose rows run downwards.
+    /// The texel at p, whose rows run downwards; outside [0, 1]^2 the nearest, for NaN the first.
     Point2i TexelAt(Point2f p) const {
-        const auto at = [](float x, int n) { return std::clamp(int(x * float(n)), 0, n - 1); };
+        const auto at = [](float x, int n) {
+            const float texel = x * float(n);
+            return texel > 0 ? std::min(int(std::min(texel, 0x1p30f)), n - 1) : 0;
+        };
         return {at(p.x, resolution.x), at(p.y, resolution.y)};
     }
     /// Twice the greatest component of a texel's RGB: for choosing directions.

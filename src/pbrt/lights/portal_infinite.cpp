@@ -24,7 +24,8 @@ Vector3f DirectionOf(Point2f angles) {
 }
 /// Solid angle per area of the square of angles, for a unit direction.
 float SolidAnglePerArea(Vector3f w) {
-    return Sqr(Pi) * (1 - Sqr(w.x)) * (1 - Sqr(w.y)) / w.z;
+    // 1 - x^2 and 1 - y^2, without cancellation.
+    return Sqr(Pi) * (Sqr(w.y) + Sqr(w.z)) * (Sqr(w.x) + Sqr(w.z)) / w.z;
 }
 
 /// The portal as seen from a place, in angles; nullopt from outside.
@@ -151,7 +152,8 @@ float PortalInfiniteLight::PDF_Li(Point3f from, Vector3f wi) const {
     if (!(local.z > 0)) return 0;
     const std::optional<Window> window = SeenFrom(s.portal, from);
     if (!window) return 0;
-    return s.directions.PDF(AnglesOf(local), *window) / SolidAnglePerArea(local);
+    const float pdf = s.directions.PDF(AnglesOf(local), *window);
+    return pdf > 0 ? pdf / SolidAnglePerArea(local) : 0;
 }
 
 }  // namespace pbrt

@@ -6,8 +6,8 @@ namespace pbrt {
 namespace {
 
 constexpr StringParam kFileName{"filename", "", "the picture"};
-constexpr FloatParam kFov{"fov",      "deg", 90,
-                          kAboveZero, 179.9999f, "angle that the picture's shorter side subtends"};
+constexpr FloatParam kFov{"fov", "deg",     90,
+                          1e-4f, 179.9999f, "angle that the picture's shorter side subtends"};
 
 /// Half the sides of the picture in the plane z = 1.
 Point2f HalfSides(Point2i resolution, float fov) {

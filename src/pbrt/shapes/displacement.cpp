@@ -74,12 +74,18 @@ class Cutter {
         mesh.indices.insert(mesh.indices.end(), triangles);
     }
     uint32_t MiddleOf(uint32_t a, uint32_t b) {
-        if (!(Length(renderFromObject.Vector(mesh.p[b] - mesh.p[a])) > edgeLength)) return kNone;
+        const float length = Length(renderFromObject.Vector(mesh.p[b] - mesh.p[a]));
+        if (!(length > edgeLength)) return kNone;
+        const Point3f middle = 0.5f * (mesh.p[a] + mesh.p[b]);
+        // Far from the origin floats may have no middle.
+        for (const uint32_t end : {a, b})
+            if (!(Length(renderFromObject.Vector(mesh.p[end] - middle)) < 0.75f * length))
+                return kNone;
         const auto [lower, upper] = std::minmax(a, b);
         const auto [known, isNew] =
             middles.try_emplace(uint64_t(lower) << 32 | upper, uint32_t(mesh.p.size()));
         if (isNew) {
-            mesh.p.push_back(0.5f * (mesh.p[a] + mesh.p[b]));
+            mesh.p.push_back(middle);
             mesh.n.push_back(UnitOr(mesh.n[a] + mesh.n[b], mesh.n[a]));
             mesh.uv.push_back(0.5f * (mesh.uv[a] + mesh.uv[b]));
         }
@@ -94,7 +100,7 @@ class Cutter {
 
 /// Why the mesh cannot be cut so finely; empty where it can.
 std::string TooFine(const TriangleMesh &mesh, const Transform &renderFromObject, float edgeLength) {
-    // Each round halves edges; thin triangles end up as fewer than this.
+    // Each round halves edges; thin triangles end up as a little fewer or more than this.
     double triangles = 0;
     for (size_t i = 0; i < mesh.indices.size(); i += 3) {
         float longest = 0;
@@ -112,7 +118,7 @@ std::string TooFine(const TriangleMesh &mesh, const Transform &renderFromObject,
     else if (const auto tooLarge = WhyTooLarge(uint64_t(triangles * kBytes)))
         why = "which " + *tooLarge;
     if (why.empty()) return why;
-    return fmt::format("\"edgelength\" {:g} makes up to {:.3g} triangles, {}", edgeLength,
+    return fmt::format("\"edgelength\" {:g} makes about {:.3g} triangles, {}", edgeLength,
                        triangles, why);
 }
 
@@ -135,7 +141,7 @@ std::optional<std::string> Displace(const FloatTexture &height, float edgeLength
     for (size_t i = 0; i < mesh->p.size(); ++i) {
         TextureEvalContext ctx;
         ctx.p = renderFromObject.Point(mesh->p[i]);
-        ctx.n = renderFromObject.Normal(mesh->n[i]);
+        ctx.n = UnitOr(renderFromObject.Normal(mesh->n[i]), {});
         ctx.uv = mesh->uv[i];
         mesh->p[i] = mesh->p[i] + height.Evaluate(ctx) * mesh->n[i];
     }

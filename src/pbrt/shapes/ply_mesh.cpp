@@ -24,10 +24,15 @@ TriangleMesh Triangles(PlyMesh ply) {
     mesh.indices = std::move(ply.triangles);
     mesh.faceIndices = std::move(ply.triangleFaces);
     const bool areNumbered = !mesh.faceIndices.empty() || !ply.quadFaces.empty();
+    // As without displacement triangles and quads count from 0 each.
+    if (!areNumbered && !ply.quads.empty())
+        for (size_t i = 0; i < mesh.indices.size() / 3; ++i)
+            mesh.faceIndices.push_back(int(i));
     for (size_t i = 0; i < ply.quads.size(); i += 4) {
         const uint32_t *q = &ply.quads[i];  // 00 10 01 11
         mesh.indices.insert(mesh.indices.end(), {q[0], q[1], q[3], q[0], q[3], q[2]});
-        if (areNumbered) mesh.faceIndices.insert(mesh.faceIndices.end(), 2, ply.quadFaces[i / 4]);
+        mesh.faceIndices.insert(mesh.faceIndices.end(), 2,
+                                areNumbered ? ply.quadFaces[i / 4] : int(i / 4));
     }
     mesh.p = std::move(ply.p);
     mesh.n = std::move(ply.n);

@@ -61,6 +61,7 @@ float FadedIn(float part) {
 /// Octaves whose waves are twice as long as a pixel's longer step, at least.
 float ShownOctaves(Vector3f dpdx, Vector3f dpdy, int octaves) {
     const float step2 = std::max(LengthSquared(dpdx), LengthSquared(dpdy));
+    if (!(step2 > 0)) return float(octaves);  // no steps, or none that are numbers
     return std::clamp(-1 - 0.5f * std::log2(step2), 0.f, float(octaves));
 }
 
