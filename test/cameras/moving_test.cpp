@@ -83,5 +83,11 @@ TEST(MovingCamera, MirroringOnTheWayIsAnError) {
     Made("Translate 0 0 1", "Scale -1 1 1", "\"perspective\"", "world", 1);
 }
 
+TEST(MovingCamera, MotionThatCannotBeTracedIsAnError) {
+    for (const char *const type : {"\"perspective\"", "\"orthographic\"", "\"spherical\""})
+        for (const char *const end : {"Translate 1e19 0 0", "Scale 1e-39 1 1", "Scale 1e-30 1 1"})
+            Made("", end, type, "world", 1);
+}
+
 }  // namespace
 }  // namespace pbrt

@@ -91,5 +91,17 @@ TEST(SphericalCamera, TakesAndIgnoresTheLens) {
     ExpectNear(DirectionAt(plain, 31, 77), DirectionAt(lens, 31, 77));
 }
 
+TEST(SphericalCamera, MustStandWhereRaysCanBeTraced) {
+    for (const char *const placed :
+         {"Scale 1e25 1e25 1e25", "Scale 1e-25 1e-25 1e-25", "Translate 1e19 0 0"}) {
+        Diagnostics log;
+        SceneDescription scene;
+        ParseString(fmt::format("{} Camera \"spherical\" WorldBegin", placed), "test.pbrt", "",
+                    scene, log);
+        CreateCamera(scene, {100, 100}, log);
+        EXPECT_EQ(log.ErrorCount(), 1) << placed;
+    }
+}
+
 }  // namespace
 }  // namespace pbrt

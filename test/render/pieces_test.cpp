@@ -182,5 +182,18 @@ TEST(ExactSum, ErrsByLessThanItsStep) {
     EXPECT_EQ(large.Value(), ExactSum::kLargest);
 }
 
+/// Beyond what it holds it stops, and keeps its sign.
+TEST(ExactSum, StopsAtItsEnds) {
+    for (const double sign : {1., -1.}) {
+        ExactSum sum, twice;
+        for (int i = 0; i < 5; ++i)
+            sum += sign * 1e300;
+        EXPECT_NEAR(sign * sum.Value() / 0x1p63, 1, 1e-9);
+        twice += sum;
+        twice += sum;
+        EXPECT_EQ(twice, sum);
+    }
+}
+
 }  // namespace
 }  // namespace pbrt::test

@@ -242,7 +242,7 @@ TEST(Directives, HopelessFilesAreGivenUp) {
         text += "Oops" + std::to_string(i) + "\n";
     const auto parsed = ParseWorld(text);
     EXPECT_EQ(parsed->log.ErrorCount(), 201);
-    EXPECT_EQ(parsed->Messages().back(), "test.pbrt:202:1: 200 errors; gave up");
+    EXPECT_EQ(parsed->Messages().back(), "test.pbrt: 200 errors; reading stopped at line 202");
 }
 
 TEST(Directives, EverythingMayStandOnOneLine) {

@@ -132,7 +132,7 @@ inline CoatedConductorBxDF::CoatedConductorBxDF(SampledSpectrum eta, SampledSpec
     const SampledSpectrum F = FrConductor(2 / 3.f, eta, k);
     const CoatedBase::Later mean = base.Mean(baseAlpha);
     const SampledSpectrum share = mean.Sum(F);
-    laterFactor = mean.twice > 0 ? share * (InvPi / mean.twice) : SampledSpectrum(0);
+    laterFactor = mean.twice > 1e-30f ? share * (InvPi / mean.twice) : SampledSpectrum(0);
     laterShare = share.MaxComponentValue();
     meanFresnel = F.MaxComponentValue();
 }

@@ -66,6 +66,9 @@ inline ComplexIndex IndexOf(SampledSpectrum r) {
 /// R_p = R_s |a + i b - sin tan|^2 / |a + i b + sin tan|^2.
 inline SampledSpectrum FrConductor(float cosTheta_i, SampledSpectrum eta, SampledSpectrum k) {
     const float cos2 = Sqr(cosTheta_i), sin2 = 1 - cos2;
+    // Beyond, where all is reflected anyway, squares of squares would not be finite.
+    eta = SampledSpectrum(Clamp(eta.Values(), 0.f, 1e8f));
+    k = SampledSpectrum(Clamp(k.Values(), 0.f, 1e8f));
     const SampledSpectrum two_ab = 2 * eta * k;
     const SampledSpectrum difference = eta * eta - k * k - SampledSpectrum(sin2);  // a^2 - b^2
     const SampledSpectrum sum = Sqrt(difference * difference + two_ab * two_ab);   // a^2 + b^2

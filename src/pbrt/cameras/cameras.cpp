@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "pbrt/util/motion.h"
+#include "pbrt/util/range.h"
 
 namespace pbrt {
 namespace {
@@ -54,8 +55,15 @@ void SetMotion(ParamDict &params, const Transform &end, CameraPlacement *placeme
     std::vector<Transform> keys = KeysBetween(from, to);
     keys.insert(keys.begin(), from);
     keys.push_back(to);
-    for (const Transform &key : keys)
-        placement->motion.push_back(key * from.Inverse());
+    for (const Transform &key : keys) {
+        const Transform moved = key * from.Inverse();
+        if (!IsInRange(key.Point({0, 0, 0})) || !HasSafeLength(moved.Vector({1, 0, 0})) ||
+            !HasSafeLength(moved.Vector({0, 1, 0})) || !HasSafeLength(moved.Vector({0, 0, 1}))) {
+            placement->motion.clear();
+            return params.Error("the camera's motion makes rays that cannot be traced");
+        }
+        placement->motion.push_back(moved);
+    }
 }
 
 CameraPlacement Place(ParamDict &params, const SceneDescription &scene) {

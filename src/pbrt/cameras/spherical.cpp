@@ -1,11 +1,14 @@
 #include "pbrt/cameras/spherical.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "pbrt/cameras/screen_window.h"
 #include "pbrt/scene/params.h"
 #include "pbrt/util/equal_area.h"
+#include "pbrt/util/range.h"
 
 namespace pbrt {
 namespace {
@@ -36,6 +39,10 @@ SphericalCamera SphericalCamera::Create(ParamDict &params, const CameraContext &
     SphericalCamera c;
     c.placement = context.placement;
     c.origin = c.placement.renderFromCamera.Point({0, 0, 0});
+    if (!IsInRange(c.origin) || !HasSafeLength(c.placement.Right()) ||
+        !HasSafeLength(c.placement.Up()) || !HasSafeLength(c.placement.Forward()))
+        params.Error(
+            fmt::format("{}: its transformation makes rays that cannot be traced", params.What()));
     c.resolution = {float(context.resolution.x), float(context.resolution.y)};
     c.equalArea = params.GetOneChoice(kMapping) == 0;
     // Accepted as pbrt-v4 does, which ignores them, too.

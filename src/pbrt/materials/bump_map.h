@@ -20,9 +20,9 @@ class BumpMap {
     /// and knows no `displacement`.
     static void Ignore(ParamDict &params);
 
-    /// Sets sp's ns and dpdus to those of the relief. `ctx`: that of sp. ns stays unit and in n's
-    /// hemisphere; both stay as they are where the relief has no normal, as where uv have no
-    /// derivatives or the texture is not finite.
+    /// Sets sp's ns, and under a height dpdus, to those of the relief. `ctx`: that of sp. ns stays
+    /// unit and in n's hemisphere; both stay as they are where the relief has no normal, as where
+    /// uv have no derivatives or the texture is not finite.
     void Tilt(const TextureEvalContext &ctx, SurfaceInteraction *sp) const;
     /// Whether the surface's uv are looked at beyond what the texture does.
     bool ReadsUV() const { return normals != nullptr; }

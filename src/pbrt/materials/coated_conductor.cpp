@@ -29,6 +29,13 @@ CoatedConductorBxDF::Alphas AlphasOf(const Roughness &r, const TextureEvalContex
     return {std::min(alpha.x, Coat::kRoughest), std::min(alpha.y, Coat::kRoughest)};
 }
 
+/// A coat of index 1 has no boundary, so no facets either.
+CoatedConductorBxDF::Alphas CoatAlphas(const Roughness &r, const Coat &coat,
+                                       const TextureEvalContext &ctx) {
+    if (coat.Eta() == 1) return {0, 0};
+    return AlphasOf(r, ctx);
+}
+
 bool IsConstant(const Roughness &r) {
     return r.u.IsConstant() && r.v.IsConstant();
 }
@@ -37,11 +44,11 @@ CoatedBase BaseUnder(const Coat &coat, const Roughness &coatRoughness,
                      const Roughness &baseRoughness) {
     if (!IsConstant(coatRoughness) || !IsConstant(baseRoughness))
         return CoatedBase(coat, 0, Coat::kSmooth, Coat::kRoughest);
-    const auto alphas = CoatedConductorBxDF::WidenedBy(AlphasOf(coatRoughness, {}), coat.Eta(),
-                                                       AlphasOf(baseRoughness, {}));
+    const auto alphas = CoatedConductorBxDF::WidenedBy(CoatAlphas(coatRoughness, coat, {}),
+                                                       coat.Eta(), AlphasOf(baseRoughness, {}));
     const float mean = std::sqrt((Sqr(alphas.x) + Sqr(alphas.y)) / 2);
     const float alpha = std::max(mean, Coat::kSmooth);
-    const auto onCoat = AlphasOf(coatRoughness, {});
+    const auto onCoat = CoatAlphas(coatRoughness, coat, {});
     const float coatAlpha = std::sqrt((Sqr(onCoat.x) + Sqr(onCoat.y)) / 2);
     return CoatedBase(coat, coatAlpha, alpha, alpha);
 }
@@ -75,7 +82,7 @@ CoatedConductorBxDF CoatedConductorMaterial::GetBxDF(const TextureEvalContext &c
                     : ComplexIndex{eta.Evaluate(ctx, lambda), k.Evaluate(ctx, lambda)};
     const float inCoat = 1 / coat->Eta();
     return CoatedConductorBxDF(n * inCoat, absorption * inCoat, *coat, *base,
-                               AlphasOf(coatRoughness, ctx), AlphasOf(baseRoughness, ctx));
+                               CoatAlphas(coatRoughness, *coat, ctx), AlphasOf(baseRoughness, ctx));
 }
 
 std::string CoatedConductorMaterial::Warnings(const ClampCounts &counts) const {

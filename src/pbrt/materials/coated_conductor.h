@@ -16,8 +16,9 @@ namespace pbrt {
 struct CoatedConductorMaterial {
     static constexpr std::string_view kName = "coatedconductor";
     static constexpr MaterialTraits kTraits{.canBeUniform = true, .laidByUV = true, .warns = true};
-    static constexpr std::array<std::string_view, 4> kExamples{
-        "", "\"float conductor.roughness\" 0.1 \"rgb reflectance\" [0.9 0.5 0.1]",
+    static constexpr std::array<std::string_view, 5> kExamples{
+        "", "\"float interface.roughness\" 0.1 \"float thickness\" 30",
+        "\"float conductor.roughness\" 0.1 \"rgb reflectance\" [0.9 0.5 0.1]",
         "\"float interface.roughness\" 0.01 \"float conductor.uroughness\" 0.01 \"float "
         "conductor.vroughness\" 0.2 \"float thickness\" 0.3",
         "\"float interface.roughness\" 0.3 \"float interface.eta\" 1.3 "

@@ -95,7 +95,9 @@ void Parser::ReadTokens(std::string_view text, std::string_view name) {
     while (lexer.Peek().kind != TokenKind::End) {
         ReadDirective(lexer);
         if (log->ErrorCount() >= kMostErrors) {
-            log->Error(lexer.Loc(), fmt::format("{} errors; gave up", log->ErrorCount()));
+            // Without a line, so that it stands before the messages by place, which are cut off.
+            log->Error({name, 0, 0}, fmt::format("{} errors; reading stopped at line {}",
+                                                 log->ErrorCount(), lexer.Loc().line));
             break;
         }
     }

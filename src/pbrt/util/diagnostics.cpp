@@ -69,7 +69,9 @@ namespace {
 /// With an end of "/", absolute, for messages; without ".." and ".".
 std::string AbsoluteFolder(const std::filesystem::path &folder) {
     std::error_code unknown;
-    const std::string path = std::filesystem::absolute(folder, unknown).lexically_normal().string();
+    const std::string path = std::filesystem::absolute(folder.empty() ? "." : folder, unknown)
+                                 .lexically_normal()
+                                 .string();
     return path.ends_with('/') ? path : path + '/';
 }
 
