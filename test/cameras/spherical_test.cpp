@@ -92,8 +92,7 @@ TEST(SphericalCamera, TakesAndIgnoresTheLens) {
 }
 
 TEST(SphericalCamera, MustStandWhereRaysCanBeTraced) {
-    for (const char *const placed :
-         {"Scale 1e25 1e25 1e25", "Scale 1e-25 1e-25 1e-25", "Translate 1e19 0 0"}) {
+    for (const char *const placed : {"Scale 1e25 1e25 1e25", "Scale 1e-25 1e-25 1e-25"}) {
         Diagnostics log;
         SceneDescription scene;
         ParseString(fmt::format("{} Camera \"spherical\" WorldBegin", placed), "test.pbrt", "",
