@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "bxdf/bands.h"
 #include "pbrt/bxdfs/conductor_bxdf.h"
 #include "pbrt/bxdfs/dielectric_bxdf.h"
 #include "pbrt/util/rng.h"
@@ -14,21 +15,6 @@ namespace pbrt::test {
 namespace {
 
 constexpr auto kMode = TransportMode::Importance;  // power: nothing is scaled by indices
-constexpr int kBands = 5;
-
-/// Power sent up, by cosine of the angle with the normal, in equal steps of its square.
-struct Bands {
-    std::array<double, kBands> power{};
-    double Total() const {
-        double sum = 0;
-        for (double p : power)
-            sum += p;
-        return sum;
-    }
-    void Add(float cosTheta, double p) {
-        power[size_t(std::min(int(Sqr(cosTheta) * kBands), kBands - 1))] += p;
-    }
-};
 
 struct Layers {
     std::string name;
@@ -103,14 +89,9 @@ class CoatedConductor : public testing::TestWithParam<Layers> {};
 /// the closed form leaves no noise) and the errors measured.
 TEST_P(CoatedConductor, AgreesWithWalks) {
     const Layers &l = GetParam();
-    for (const Vector3f &wo : {Vector3f{0, 0, 1}, Normalize(Vector3f{0.5f, 0.6f, 0.7f}),
-                               Normalize(Vector3f{-0.9f, 0.2f, 0.2f})}) {
-        const Bands walked = Walked(l, wo, 400000), sampled = Sampled(l, wo, 400000);
-        EXPECT_NEAR(sampled.Total(), walked.Total(), l.tolerance) << l.name << wo.z;
-        for (int b = 0; b < kBands; ++b)
-            EXPECT_NEAR(sampled.power[b], walked.power[b], l.tolerance)
-                << l.name << wo.z << ' ' << b;
-    }
+    ExpectSameBands(l.name, l.tolerance, [&](Vector3f wo, int n) {
+        return std::pair(Sampled(l, wo, n), Walked(l, wo, n));
+    });
 }
 
 INSTANTIATE_TEST_SUITE_P(

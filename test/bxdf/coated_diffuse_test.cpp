@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "bxdf/bands.h"
 #include "pbrt/bxdfs/dielectric_bxdf.h"
 #include "pbrt/util/rng.h"
 
@@ -13,21 +14,6 @@ namespace pbrt::test {
 namespace {
 
 constexpr auto kMode = TransportMode::Importance;  // power: nothing is scaled by indices
-constexpr int kBands = 5;
-
-/// Power sent up, by cosine of the angle with the normal, in equal steps of its square.
-struct Bands {
-    std::array<double, kBands> power{};
-    double Total() const {
-        double sum = 0;
-        for (double p : power)
-            sum += p;
-        return sum;
-    }
-    void Add(float cosTheta, double p) {
-        power[size_t(std::min(int(Sqr(cosTheta) * kBands), kBands - 1))] += p;
-    }
-};
 
 struct Layers {
     std::string name;
@@ -90,14 +76,9 @@ class CoatedDiffuse : public testing::TestWithParam<Layers> {};
 /// measured with 2e7 walks, at most 1.6e-3 in all (but for textured facets longer than wide).
 TEST_P(CoatedDiffuse, AgreesWithWalks) {
     const Layers &l = GetParam();
-    for (const Vector3f &wo : {Vector3f{0, 0, 1}, Normalize(Vector3f{0.5f, 0.6f, 0.7f}),
-                               Normalize(Vector3f{-0.9f, 0.2f, 0.2f})}) {
-        const Bands walked = Walked(l, wo, 400000), evaluated = Evaluated(l, wo);
-        EXPECT_NEAR(evaluated.Total(), walked.Total(), l.tolerance) << l.name << wo.z;
-        for (int b = 0; b < kBands; ++b)
-            EXPECT_NEAR(evaluated.power[b], walked.power[b], l.tolerance)
-                << l.name << wo.z << ' ' << b;
-    }
+    ExpectSameBands(l.name, l.tolerance, [&](Vector3f wo, int n) {
+        return std::pair(Evaluated(l, wo), Walked(l, wo, n));
+    });
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -21,7 +21,8 @@ Sensor Made(const std::string &parameters) {
     return sensor;
 }
 
-/// Of a light scaled to luminance 1, as the renderer's lights are; the mean over many wavelengths.
+/// Response to a light scaled to luminance 1, as the renderer's lights are; the mean over many
+/// wavelengths.
 RGB Seen(const Sensor &sensor, const Spectrum &light) {
     constexpr int kSteps = 2000;
     const Spectrum scaled = light.Scaled(1 / SpectrumToPhotometric(light));

@@ -110,7 +110,7 @@ TEST(SobolSampler, LongIndices) {
     SobolSampler sampler(spp, {65536, 50000}, Randomization::None, 0);
     for (Point2i pixel : {Point2i{0, 0}, {65535, 49999}, {12345, 43210}}) {
         for (int k : {0, 1, 77777, spp - 1}) {
-            // Of the pixel's index the upper digits are k, the lower those of x, and the middle
+            // The upper digits of the pixel's index are k, the lower those of x, and the middle
             // ones such that the second coordinate's first digits are those of y.
             uint64_t index = uint64_t(k) << 32 | ReverseBits32(uint32_t(pixel.x) << 16);
             const auto y = [](uint64_t i) {

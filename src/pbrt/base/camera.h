@@ -25,9 +25,9 @@ struct CameraPlacement {
     /// -1 if the film's "down" runs against Cross(forward, right), as usual; 1 if the camera's
     /// transform mirrors.
     float downOfFrame = -1;
-    /// Of a moving camera: maps rendering space as the camera at rest sees it to where that is at
-    /// equal steps of the rays' time, to be joined linearly by entries. The transforms above are
-    /// those at time 0. Empty: the camera rests.
+    /// Keys of a moving camera: each maps rendering space as the camera at rest sees it to where
+    /// that is at equal steps of the rays' time, to be joined linearly by entries. The transforms
+    /// above are those at time 0. Empty: the camera rests.
     std::vector<Transform> motion;
 
     /// The time of a ray, u in [0, 1): from 0 at TransformTimes' start to 1 at its end; it stays

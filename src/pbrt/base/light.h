@@ -97,7 +97,7 @@ struct LightTraits {
     /// Has Preprocess, which is told the radius of the scene's bounding sphere once, before
     /// anything below is called.
     bool readsSceneRadius = false;
-    /// What is seen of an infinite light is not the same from everywhere (PlacedInfiniteLight).
+    /// An infinite light that looks different from different places (PlacedInfiniteLight).
     bool dependsOnPlace = false;
     /// Has a sixteen-wide SampleLi (WideLight). Without it receivers are served one by one.
     bool isWide = false;

@@ -52,7 +52,7 @@ decltype(auto) WithSpectralBSDF(const Material &material, const std::vector<floa
     return std::visit([&](const auto &m) { return visit(SpectralBSDFOf(m, lambda)); }, material);
 }
 
-/// Whether a BSDF tells its R and TRT apart and has gaps.
+/// True for the BSDF that tells its R and TRT apart and has gaps.
 template <typename B>
 inline constexpr bool kIsFeather = std::is_same_v<B, FeatherBarbuleBxDF>;
 

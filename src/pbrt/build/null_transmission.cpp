@@ -13,7 +13,7 @@ float NullTransmissionOfOne(const RenderScene &scene, MaterialId id, const Surfa
             const TextureEvalContext ctx = scene.materials.Facts(size_t(id)).isUniform
                                                ? TextureEvalContext{}
                                                : scene.TextureContext(sp);
-            const Frame frame = BSDFFrame(material, WithBump(any, ctx, sp), ctx, d);
+            const Frame frame = BSDFFrame(any, material, sp, ctx, d);
             return material.NullTransmission(ctx, frame.ToLocal(Normalize(-d)));
         } else {
             return 0;

@@ -9,14 +9,6 @@
 
 namespace pbrt {
 
-/// sp as the material's relief has it.
-inline SurfaceInteraction WithBump(const Material &material, const TextureEvalContext &ctx,
-                                   const SurfaceInteraction &sp) {
-    SurfaceInteraction tilted = sp;
-    if (material.bump) material.bump->Tilt(ctx, &tilted);
-    return tilted;
-}
-
 /// The frame in which a material's BSDF lives, for a ray of direction d; sp: with its relief.
 template <MaterialType M>
 Frame BSDFFrame(const M &material, const SurfaceInteraction &sp, const TextureEvalContext &ctx,
@@ -29,6 +21,16 @@ Frame BSDFFrame(const M &material, const SurfaceInteraction &sp, const TextureEv
         return material.TurnFrame(sp.ShadingFrame(), ctx);
     else
         return sp.ShadingFrame();
+}
+/// The same with the relief of `any`, which holds `material`; sp: without.
+template <MaterialType M>
+Frame BSDFFrame(const Material &any, const M &material, const SurfaceInteraction &sp,
+                const TextureEvalContext &ctx, Vector3f d) {
+    if (!any.bump) [[likely]]
+        return BSDFFrame(material, sp, ctx, d);
+    SurfaceInteraction tilted = sp;
+    any.bump->Tilt(ctx, &tilted);
+    return BSDFFrame(material, tilted, ctx, d);
 }
 
 /// The matte surface that reflects as much towards wo as `bxdf`, at most 1: what Option
@@ -51,7 +53,7 @@ decltype(auto) VisitBSDF(const RenderScene &scene, const Hit &hit, const Surface
     const TextureEvalContext ctx = scene.TextureContext(sp, clamped);
     const Material &any = scene.materials.Data()[id];
     return Dispatch(any, [&](const auto &material) {
-        const Frame frame = BSDFFrame(material, WithBump(any, ctx, sp), ctx, ray.d);
+        const Frame frame = BSDFFrame(any, material, sp, ctx, ray.d);
         const auto bxdf = material.GetBxDF(ctx, *lambda);
         if (scene.options.forceDiffuse) [[unlikely]]
             return visit(frame, DiffuseOf(bxdf, frame.ToLocal(-ray.d)));

@@ -73,7 +73,7 @@ class CoatedBase::Layers {
         visit(size_t(i), 1 - (x - float(i)));
         visit(size_t(i + 1), x - float(i));
     }
-    /// What a boundary does with light from below. Its facets turn light by angles that average to
+    /// Shares of light from below at a boundary. Its facets turn light by angles that average to
     /// those of a mirror, which is where returned light is counted.
     Shares BoundaryAt(const TrowbridgeReitz &boundary, float cosTheta) const {
         const Vector3f w = DirectionOf(cosTheta);

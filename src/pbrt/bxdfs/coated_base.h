@@ -17,8 +17,8 @@ class CoatedBase {
     /// between which shares are interpolated.
     CoatedBase(const Coat &coat, float coatAlpha, float alphaMin, float alphaMax);
 
-    /// Of light that arrives at the base at this angle inside the coat: the share that the base
-    /// reflects, the boundary returns and that arrives at the base again.
+    /// Share of light arriving at the base at this angle inside the coat that the base reflects,
+    /// the boundary returns and that arrives at the base again.
     float Returned(float cosInside, float alpha) const { return At(returned, cosInside, alpha); }
     /// Share of such light that leaves after one reflection, over what Coat::From says of the
     /// directions outside that the base's mirrored light is refracted to: below 1 where the
@@ -28,11 +28,11 @@ class CoatedBase {
     struct Later {
         static constexpr int kOrders = 6;
         float twice;  ///< share of all light that arrives at the base a second time
-        /// Of that, shares that leave after each further reflection; the rest falls by `ratio`.
+        /// Shares of that which leave after each further reflection; the rest falls by `ratio`.
         std::array<float, kOrders> leaves;
         float ratio;
 
-        /// What leaves in all where each reflection keeps F.
+        /// Share of it that leaves in all where each reflection keeps F.
         SampledSpectrum Sum(SampledSpectrum F) const;
     };
     Later Mean(float alpha) const;

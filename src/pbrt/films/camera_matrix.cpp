@@ -25,8 +25,8 @@ double Integral(const S &...spectra) {
 
 using Triple = std::array<double, 3>;
 
-/// What three curves see of a reflectance under a light, in units of what the second of them sees
-/// of the light itself.
+/// Response of three curves to a reflectance under a light, in units of what the second of them
+/// sees of the light itself.
 Triple Seen(const Spectrum &reflectance, const Spectrum &light,
             const std::array<Spectrum, 3> &curves) {
     const double white = Integral(light, curves[1]);

@@ -55,14 +55,6 @@ std::array<float, 2> ChromaticityOf(float kelvin) {
     return {c.X / sum, c.Y / sum};
 }
 
-Matrix3 Rounded(const Matrix3d &m) {
-    Matrix3 r;
-    for (size_t i = 0; i < 3; ++i)
-        for (size_t j = 0; j < 3; ++j)
-            r[i][j] = float(m[i][j]);
-    return r;
-}
-
 /// The curves of a sensor, and the matrix to XYZ.
 struct SensorResponse {
     std::array<Spectrum, 3> curves;
@@ -73,7 +65,7 @@ SensorResponse ResponseOf(std::string_view sensor, float kelvin, const RGBColorS
     for (const CameraCurves &camera : AllCameraCurves()) {
         if (camera.name != sensor) continue;
         const Spectrum light = LightOf(kelvin > 0 ? kelvin : kDefaultOfCameras);
-        return {CurvesOf(camera), Rounded(XYZFromCamera(camera, light, space))};
+        return {CurvesOf(camera), ToFloat(XYZFromCamera(camera, light, space))};
     }
     Matrix3 adapt{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     if (kelvin > 0) adapt = WhiteBalance(ChromaticityOf(kelvin), space.Chromaticities()[3]);

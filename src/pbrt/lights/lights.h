@@ -71,7 +71,7 @@ inline SampledSpectrum L(const Light &light, Point3f p, Normal3f n, Point2f uv, 
     });
 }
 
-/// Whether L depends on uv; false but for area lights.
+/// True where L depends on uv; false but for area lights.
 bool ReadsUV(const Light &light);
 
 /// Radiance along a ray that leaves the scene; 0 but for infinite lights.

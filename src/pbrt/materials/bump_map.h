@@ -24,7 +24,7 @@ class BumpMap {
     /// unit and in n's hemisphere; both stay as they are where the relief has no normal, as where
     /// uv have no derivatives or the texture is not finite.
     void Tilt(const TextureEvalContext &ctx, SurfaceInteraction *sp) const;
-    /// Whether the surface's uv are looked at beyond what the texture does.
+    /// True where the surface's uv are looked at beyond what the texture does.
     bool ReadsUV() const { return normals != nullptr; }
 
   private:

@@ -34,9 +34,9 @@ class MaterialSet {
     const MaterialFacts &Facts(size_t i) const { return facts[i]; }
     /// All of them, one after another; use needs materials.h.
     const Material *Data() const { return materials.data(); }
-    /// Whether any has a BumpMap.
+    /// True where any has a BumpMap.
     bool AnyBump() const { return anyBump; }
-    /// Whether its BumpMap looks at the surface's uv.
+    /// True where its BumpMap looks at the surface's uv.
     bool BumpReadsUV(size_t i) const;
     /// See MaterialTraits::laidByUV; empty where nothing is.
     std::string_view LaidByUV(size_t i) const;

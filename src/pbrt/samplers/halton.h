@@ -16,7 +16,7 @@
 
 namespace pbrt {
 
-/// What is done to the digits of the Halton points: one random permutation for each place of each
+/// Randomisation of the digits of the Halton points: one random permutation for each place of each
 /// dimension, or one for each place and all digits before it (Owen's nested scrambling).
 enum class HaltonRandomization { PermuteDigits, None, Owen };
 
@@ -62,9 +62,7 @@ class HaltonSampler {
     }
 
     void StartBatch(std::span<const Point2i> pixels) {
-        firstIndices.Resize(pixels.size());
-        for (size_t i = 0; i < pixels.size(); ++i)
-            firstIndices[i] = FirstIndex(pixels[i]);
+        firstIndices.Fill(pixels, [&](Point2i p) { return FirstIndex(p); });
         padded.StartBatch(pixels);
     }
     FloatX16 Get1D(int dimension, UintX16 place, UintX16 sampleIndex) const {
@@ -80,7 +78,7 @@ class HaltonSampler {
     static constexpr int kDraws = 128;
     static constexpr int kSquare = 128;  ///< pixels a side
 
-    /// Of the pixel's first sample; others follow at the stride.
+    /// Index of the pixel's first sample; others follow at the stride.
     uint32_t FirstIndex(Point2i p) const;
     UintX16 IndexOf(const UintX16 &place, const UintX16 &sampleIndex) const {
         const UintX16 k = Select(sampleIndex < uint32_t(samplesPerPixel), sampleIndex, UintX16{});

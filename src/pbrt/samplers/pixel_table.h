@@ -14,6 +14,13 @@ class PixelTable {
     void Resize(size_t pixels) {
         values.resize((pixels + kPacketSize - 1) / kPacketSize * kPacketSize);
     }
+    /// valueOf(pixel) for each.
+    template <typename F>
+    void Fill(std::span<const Point2i> pixels, const F &valueOf) {
+        Resize(pixels.size());
+        for (size_t i = 0; i < pixels.size(); ++i)
+            values[i] = valueOf(pixels[i]);
+    }
     size_t Size() const { return values.size(); }
     uint32_t &operator[](size_t pixel) { return values[pixel]; }
     /// Values of the sixteen pixels from `first` on.

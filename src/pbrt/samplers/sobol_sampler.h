@@ -62,9 +62,7 @@ class SobolSampler {
     }
 
     void StartBatch(std::span<const Point2i> pixels) {
-        firstIndices.Resize(pixels.size());
-        for (size_t i = 0; i < pixels.size(); ++i)
-            firstIndices[i] = FirstIndex(pixels[i]);
+        firstIndices.Fill(pixels, [&](Point2i p) { return FirstIndex(p); });
         padded.StartBatch(pixels);
     }
     FloatX16 Get1D(int dimension, UintX16 place, UintX16 sampleIndex) const {
@@ -89,7 +87,7 @@ class SobolSampler {
     /// second coordinate (reversed).
     template <typename U>
     U MiddleDigits(U wanted) const;
-    /// Of the pixel's first sample.
+    /// Index of the pixel's first sample.
     uint32_t FirstIndex(Point2i p) const;
     template <typename U>
     Index<U> IndexOf(const U &firstIndex, const U &k) const;

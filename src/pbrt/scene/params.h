@@ -66,7 +66,7 @@ class ParamDict {
     /// The RGB itself where the value that counts (see above) was given as `rgb`.
     std::optional<RGB> GetOneRGB(const SpectrumParam &row);
     /// File name, made relative to the scene's folder where such a file exists; empty if not given.
-    /// Where there is no such file, that is an error, and further ones at its place are none.
+    /// A file that does not exist is an error, and further ones at its place are none.
     std::string GetFileName(const StringParam &row);
 
     // Whole arrays; empty where not given or wrong. Points and vectors: count a multiple of theirs.

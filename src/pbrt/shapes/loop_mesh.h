@@ -24,9 +24,9 @@ class LoopMesh {
     const std::vector<uint32_t> &Indices() const { return corners; }
     size_t NVertices() const { return positions.size(); }
     Point3f Position(uint32_t vertex) const { return ToFloat(positions[vertex]); }
-    /// Where the vertex lies in the limit of subdivisions.
+    /// Place of the vertex in the limit of subdivisions.
     Point3f LimitPosition(uint32_t vertex) const;
-    /// The limit's normal there, not unit, on the side from which triangles run anticlockwise
+    /// The limit's normal there, unit or 0, on the side from which triangles run anticlockwise
     /// (right-handed); 0 where the surface is degenerate.
     Normal3f LimitNormal(uint32_t vertex) const;
 

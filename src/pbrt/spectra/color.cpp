@@ -13,14 +13,6 @@
 namespace pbrt {
 namespace {
 
-Matrix3 ToFloat(const Matrix3d &m) {
-    Matrix3 r;
-    for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-            r[i][j] = float(m[i][j]);
-    return r;
-}
-
 /// XYZ of a chromaticity at Y = 1.
 Triple XYZOfChromaticity(const std::array<float, 2> &xy) {
     return {double(xy[0]) / xy[1], 1, (1 - double(xy[0]) - xy[1]) / xy[1]};

@@ -34,6 +34,14 @@ SquareMatrix<T, N> Product(const SquareMatrix<T, N> &a, const SquareMatrix<T, N>
     return r;
 }
 
+inline Matrix3 ToFloat(const Matrix3d &m) {
+    Matrix3 r;
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j)
+            r[i][j] = float(m[i][j]);
+    return r;
+}
+
 template <typename T, std::size_t N>
 SquareMatrix<T, N> Transposed(const SquareMatrix<T, N> &m) {
     SquareMatrix<T, N> t;
