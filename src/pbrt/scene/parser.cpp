@@ -79,8 +79,8 @@ void Parser::ReportOld() {
                              old->is.empty() ? "nothing" : old->is);
     }
     log->Error({open[0].shown, 0, 0},
-               fmt::format("this is a scene for pbrt-v3 or older: \"pbrt --upgrade\" of pbrt-v4 "
-                           "rewrites it ({})",
+               fmt::format("this is a scene for pbrt-v3 or older: \"pbrt --upgrade old.pbrt > "
+                           "new.pbrt\" rewrites it ({})",
                            names));
 }
 
