@@ -57,6 +57,7 @@ TEST(Every, FormattedSceneHasTheSameTokensAndComments) {
         EXPECT_EQ(Tokens(formatted), Tokens(text));
         EXPECT_EQ(CommentBytes(formatted), CommentBytes(text));
         EXPECT_EQ(Formatted(formatted), formatted) << "once more";
+        EXPECT_EQ(Rewrite(text, rewrite::Task::Upgrade).text, formatted) << "it is of pbrt-v4";
     }
 }
 

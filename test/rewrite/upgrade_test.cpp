@@ -197,6 +197,18 @@ TEST(Upgrade, WhatHoldsLongerInPbrtV3IsWarnedOf) {
               "pbrt-v3, upgrade each by itself\n");
 }
 
+TEST(Upgrade, TextsThatEndAnywhere) {
+    for (const Case &c : kCases) {
+        const std::string text = kOldHead + std::string(c.was);
+        for (size_t n = 0; n < text.size(); ++n)
+            for (const auto task :
+                 {rewrite::Task::Format, rewrite::Task::ToPly, rewrite::Task::Upgrade}) {
+                const Rewritten r = Rewrite(text.substr(0, n), task);
+                EXPECT_TRUE(!r.text.empty() || !r.messages.empty() || n == 0);
+            }
+    }
+}
+
 TEST(Upgrade, ScenesOfPbrtV4Stay) {
     const std::string text = Formatted(R"(Film "rgb" "float iso" 50
 WorldBegin

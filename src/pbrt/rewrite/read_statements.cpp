@@ -180,7 +180,8 @@ bool StatementReader::ReadValues(Parameter *p) {
         p->values.emplace_back(lexer.Written());
         Advance();
     }
-    if (!inList) return !p->values.empty() || Expected("a value");
+    if (p->values.empty()) return Expected("a value");
+    if (!inList) return true;
     if (t.kind != TokenKind::Close) return Expected("a value or \"]\"");
     TakeComments(&p->comments, false);
     Advance();

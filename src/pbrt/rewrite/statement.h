@@ -12,7 +12,7 @@ namespace pbrt::rewrite {
 /// A parameter as it stands in a scene file: `"type name" [ values ]`.
 struct Parameter {
     std::string type, name;
-    std::vector<std::string> values;  ///< as written, strings with their quotes
+    std::vector<std::string> values;  ///< one at least, as written, strings with their quotes
     FileLoc loc;
     std::vector<std::string> comments;  ///< `# ...`, those above it and between its values
     std::string remark;                 ///< the comment behind it on its last line, or empty

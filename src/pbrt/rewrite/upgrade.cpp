@@ -60,7 +60,7 @@ void Upgrade::Apply(Statement *s) {
     RenameUsed(s);
     RenamePlugIn(s);
     if (s->directive == "MakeNamedMaterial") Define("material", s);
-    if (s->directive == "ObjectBegin") Define("object", s);
+    if (s->directive == "ObjectBegin" && !s->arguments.empty()) Define("object", s);
     if (s->directive == "Texture") Define(Unquoted(s->arguments[1]) + " texture", s);
 }
 
