@@ -19,7 +19,9 @@ std::vector<Transform> Ends() {
 }
 
 Instance Motion(const Transform &from, const Transform &to) {
-    return {0, {from, to}, true, KeysBetween(from, to)};
+    std::vector<Transform> later = KeysBetween(from, to);
+    later.push_back(to);
+    return {0, AffineTransform(from), std::make_unique<const std::vector<Transform>>(later)};
 }
 
 std::vector<Light> Lights(const Shape &shape, const Instance *motion,
@@ -104,7 +106,7 @@ TEST(MovingAreaLight, LightsAsOneThatRestsThere) {
         for (const float time : {0.f, .3f, .77f, 1.f}) {
             const Transform t = TransformAt(motion, time);
             // A stretched sphere is no sphere: its twin at rest moves from there to there.
-            Instance rest{0, {t, t}, false, {}};
+            const Instance rest{0, AffineTransform(t)};
             const Shape shape = Emitter(flat), placed = flat ? Emitter(flat, t) : shape;
             if (flat && t.SwapsHandedness()) continue;  // its sides change when made in place
             const Light moving = Lights(shape, &motion)[0],

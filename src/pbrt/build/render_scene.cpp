@@ -19,9 +19,7 @@ SurfaceInteraction SurfaceIn(const RenderScene &scene, const Hit &hit, const Ray
     const auto placed = [&](const Transform &t) {
         return FromInstance(t, SurfaceAtWith<kWithError>(shape, hit, ToObject(t, ray)));
     };
-    const Instance &instance = scene.instances[hit.instance];
-    return instance.moving ? placed(TransformAt(instance, ray.time))
-                           : placed(instance.renderFromObject[0]);
+    return placed(TransformAt(scene.instances[hit.instance], ray.time));
 }
 
 }  // namespace

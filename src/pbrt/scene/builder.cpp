@@ -147,7 +147,7 @@ void SceneBuilder::ObjectEnd(const FileLoc &loc) {
 
 void SceneBuilder::ObjectInstance(const std::string &name, const FileLoc &loc) {
     if (IsFlat()) return;
-    (object ? object->instances : scene->instances).push_back({name, loc, state.ctm});
+    (object ? object->instances : scene->instances).Append({name, loc, state.ctm});
 }
 
 // --- Entities ---
