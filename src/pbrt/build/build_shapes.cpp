@@ -65,9 +65,7 @@ class ShapeBuilder {
                 log.Error(entity.loc, "a curve cannot be an area light");
                 continue;
             }
-            if (entity.areaLight && instanced)
-                log.Warning(entity.loc, "an area light in an object definition gives no light");
-            else if (entity.areaLight)
+            if (entity.areaLight)
                 built.emitters.push_back({uint32_t(scene.geometries.size()), entity.areaLight});
             if (!JoinCurves(geometry)) scene.geometries.push_back(std::move(geometry));
         }
@@ -149,10 +147,12 @@ class ShapeBuilder {
 
     void AddMovingShapes(const std::vector<ShapeEntity> &shapes, const Transform &renderFromWorld) {
         for (const ShapeEntity &entity : shapes) {
-            if (entity.areaLight) log.Error(entity.loc, "moving area lights are not supported");
             const TransformPair &t = entity.worldFromObject;
+            const size_t emitters = built.emitters.size();
             Place(AddMovingShape(entity), {renderFromWorld * t[0], renderFromWorld * t[1]},
                   entity.loc);
+            for (size_t i = emitters; i < built.emitters.size(); ++i)
+                built.emitters[i].instance = int(scene.instances.size()) - 1;
         }
     }
 

@@ -30,6 +30,7 @@ FloatTexture GetAlpha(ParamDict &params, const NamedTextures &textures);
 struct EmissiveShape {
     uint32_t geometry;
     std::shared_ptr<const Entity> areaLight;
+    int instance = -1;  ///< that carries it; -1: at rest
 };
 struct BuiltShapes {
     std::vector<EmissiveShape> emitters;

@@ -178,8 +178,6 @@ void SceneBuilder::Shape(Entity shape) {
     if (state.areaLight && object)
         log->Warning(s.loc,
                      "area lights are not instanced: this shape of an object does not shine");
-    else if (state.areaLight && IsMoving())
-        log->Error(s.loc, "a moving shape cannot be an area light");
     else
         s.areaLight = state.areaLight;
     (object ? object->shapes : scene->shapes).Append(s);
