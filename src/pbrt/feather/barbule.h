@@ -46,15 +46,17 @@ class Barbule {
     /// `params` within kParams' ranges, `optics` within kSpectrumParams'.
     Barbule(const BarbuleParams<T> &params,
             const Optics<V, N> &optics) requires std::floating_point<V>
-        : Barbule(Vane<V>(params), params.thickness, optics) {}
-    Barbule(const Vane<V> &vane, const Nm<V> &thickness, const Optics<V, N> &optics)
+        : Barbule(Vane<V>(params), params.thickness, optics, params.filmRoughness) {}
+    /// `roughness`: standard deviation of the film's thickness.
+    Barbule(const Vane<V> &vane, const Nm<V> &thickness, const Optics<V, N> &optics,
+            const Nm<V> &roughness = {V(0)})
         : row(vane.row),
           bend(vane.bend),
           melanin(optics.melanin),
           meanMelanin(Mean(optics.melanin)),
           averageFilm(Mean(optics.eta)) {
         for (int i = 0; i < N; ++i)
-            films[i] = Film<V>(Nm<V>{optics.lambda[i]}, thickness, optics.eta[i]);
+            films[i] = Film<V>(Nm<V>{optics.lambda[i]}, thickness, optics.eta[i], roughness);
     }
 
     View<V> SeenFrom(const Direction<V> &wo) const {
