@@ -102,7 +102,8 @@ TEST(BxDFPacket, FeathersAreNearlyAsOneByOne) {
                                        .spacing = i % 2 ? 2.5 : 1.25,
                                        .opening = i % 3 ? 0.0785 : 0.4};
             return FeatherSurface{feather::Vane<float>(feather::ParamsOf<float>(shape)),
-                                  float(shape.thickness), feather::Feather<float>()};
+                                  float(shape.thickness), i % 4 < 2 ? 0 : 5.f * float(i),
+                                  feather::Feather<float>()};
         },
         {.f = 1e-3f, .wi = 5e-4f, .pdf = 1e-3f});
 }

@@ -9,6 +9,7 @@ namespace pbrt {
 struct FeatherSurface {
     feather::Vane<float> vane;
     float thickness;  ///< of the film, nm
+    float roughness;  ///< standard deviation of the thickness, nm
     feather::Optics<float, NSpectrumSamples> optics;
 };
 
@@ -27,7 +28,7 @@ class FeatherBarbuleBxDF {
 
     explicit FeatherBarbuleBxDF(const Model &barbule) : barbule(barbule) {}
     explicit FeatherBarbuleBxDF(const FeatherSurface &at)
-        : barbule(at.vane, {at.thickness}, at.optics) {}
+        : barbule(at.vane, {at.thickness}, at.optics, {at.roughness}) {}
 
     BxDFFlags Flags() const { return kFlags; }
     SampledSpectrum f(Vector3f wo, Vector3f wi, TransportMode) const {

@@ -41,7 +41,7 @@ class FeatherBarbulePacket {
 
     // Lanes that are never set stay 0: what comes of them is not used.
     feather::Vane<V> vane{};
-    V thickness{};
+    V thickness{}, roughness{};
     feather::Optics<V, NSpectrumSamples> optics{};
     std::optional<Model> barbules;
 };

@@ -177,8 +177,17 @@ class Barbule {
         lit = lit & Sees(row, bend, wi, facet);
         if (!Any(lit)) return;
         const V scale = FacetDensity(row, bend, facet) / (4 * Abs(wo.z) * Abs(wi.z));
+        const V cosine = Min(length * T(0.5), V(1));
+        if (AnyRough(films))
+            AddReflectances<true>(lit, cosine, scale, sum);
+        else
+            AddReflectances<false>(lit, cosine, scale, sum);
+    }
+
+    template <bool kRough>
+    void AddReflectances(const Mask &lit, const V &cosine, const V &scale, Spectrum *sum) const {
         for (int i = 0; i < N; ++i) {
-            const V R = Finite(films[i].Reflectance(Min(length * T(0.5), V(1))) * scale);
+            const V R = Finite(films[i].template ReflectanceIf<kRough>(cosine) * scale);
             (*sum)[i] = Select(lit, (*sum)[i] + R, (*sum)[i]);
         }
     }

@@ -168,11 +168,17 @@ struct Film {
     /// True where the thickness varies.
     MaskFor<V> IsRough() const { return roughness > 0; }
 
-    /// Unpolarised reflectance, in [0, 1]; one division for both polarisations, two where the film
-    /// is rough. float against double: 5e-7 at worst from 0 to 89.99 deg for films below 2 um.
+    /// Unpolarised reflectance, in [0, 1].
     V Reflectance(const V &cosine) const {
+        return Any(IsRough()) ? ReflectanceIf<true>(cosine) : ReflectanceIf<false>(cosine);
+    }
+    /// The same where it is known whether any of the films is rough; one division for both
+    /// polarisations, two more if so. float against double: of even films up to 2 um 5e-7 at worst
+    /// from 0 to 89.99 deg.
+    template <bool kRough>
+    V ReflectanceIf(const V &cosine) const {
         const V even = EvenReflectance(cosine);
-        if (!Any(IsRough())) return even;
+        if constexpr (!kRough) return even;
         const auto [s, p] = Mean(cosine);
         return Select(IsRough(), (s.reflected + p.reflected) * T(0.5), even);
     }
@@ -205,8 +211,8 @@ struct Film {
         return Select(s > 0, both, limit);
     }
 
-    /// The mean over the thickness. Not inlined, for even films are many.
-    [[gnu::noinline]] Polarised<typename RoughFilmMean<V>::Shares> Mean(const V &cosine) const {
+    /// The mean over the thickness.
+    Polarised<typename RoughFilmMean<V>::Shares> Mean(const V &cosine) const {
         const V c2 = cosine * cosine, insideSqr = excess + c2, inside = Sqrt(insideSqr);
         const RoughFilmMean<V> mean(roughness * insideSqr, SineSquared(c2, inside));
         const V passing = 2 * cosine * inside, brewster = c2 - (1 - c2) * invEtaSqr;
