@@ -82,7 +82,9 @@ FeatherCells Grid(const std::string &parameters) {
     SceneDescription scene;
     Diagnostics log;
     ParseString("WorldBegin\nMaterial \"featherbarbule\" " + parameters, "t.pbrt", "", scene, log);
-    const Entity &entity = *scene.materials.begin();
+    Entity entity;
+    for (const Entity &e : scene.materials)
+        entity = e;
     ParamDict params(entity.params, entity.loc, "material", entity.colorSpace, &log);
     return FeatherCells::Create(params);
 }

@@ -34,6 +34,16 @@ void CheckRange(ParamDict &params, const SpectrumParam &row, const Spectrum &s) 
     }
 }
 
+Frame Rotated(const Frame &frame, float degrees) {
+    if (degrees == 0) return frame;
+    const float c = std::cos(Radians(degrees)), s = std::sin(Radians(degrees));
+    return {c * frame.x + s * frame.y, c * frame.y - s * frame.x, frame.z};
+}
+Frame Bent(const Frame &frame, float angle) {
+    const float c = std::cos(angle), s = std::sin(angle);
+    return {frame.x, c * frame.y - s * frame.z, s * frame.y + c * frame.z};
+}
+
 }  // namespace
 
 FeatherBarbuleMaterial FeatherBarbuleMaterial::Create(ParamDict &params,
@@ -115,20 +125,6 @@ FeatherSurface FeatherBarbuleMaterial::GetPacketInput(const TextureEvalContext &
     }
     return surface;
 }
-
-namespace {
-
-Frame Rotated(const Frame &frame, float degrees) {
-    if (degrees == 0) return frame;
-    const float c = std::cos(Radians(degrees)), s = std::sin(Radians(degrees));
-    return {c * frame.x + s * frame.y, c * frame.y - s * frame.x, frame.z};
-}
-Frame Bent(const Frame &frame, float angle) {
-    const float c = std::cos(angle), s = std::sin(angle);
-    return {frame.x, c * frame.y - s * frame.z, s * frame.y + c * frame.z};
-}
-
-}  // namespace
 
 Frame FeatherBarbuleMaterial::TurnFrame(const Frame &frame, const TextureEvalContext &ctx) const {
     const Frame rotated = Rotated(frame, values[Rotation].Evaluate(ctx));
