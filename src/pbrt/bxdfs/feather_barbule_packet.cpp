@@ -25,6 +25,9 @@ FeatherBarbulePacket::Spectra SpectraOf(const ModelSpectrum &values) {
 
 void FeatherBarbulePacket::Set(int i, const FeatherSurface &surface) {
     vane.Set(i, surface.vane);
+    const LaneBits lane = LaneBits(1) << i;
+    tilted = surface.tilt ? tilted | lane : tilted & ~lane;
+    if (surface.tilt) tilt.Set(i, *surface.tilt);
     thickness.Set(i, surface.thickness);
     roughness.Set(i, surface.roughness);
     for (size_t k = 0; k < NSpectrumSamples; ++k) {

@@ -40,7 +40,7 @@ Frame Rotated(const Frame &frame, float degrees) {
     return {c * frame.x + s * frame.y, c * frame.y - s * frame.x, frame.z};
 }
 Frame Bent(const Frame &frame, float angle) {
-    const float c = std::cos(angle), s = std::sin(angle);
+    const auto [s, c] = SinCosTurns(angle * (0.5f * InvPi));
     return {frame.x, c * frame.y - s * frame.z, s * frame.y + c * frame.z};
 }
 
@@ -102,21 +102,19 @@ float FeatherBarbuleMaterial::TiltAt(const TextureEvalContext &ctx, const Feathe
                  : mean;
 }
 
-const FeatherBarbuleMaterial::Vane &FeatherBarbuleMaterial::VaneAt(
-    const TextureEvalContext &ctx, const FeatherCell &cell, std::optional<Vane> *room) const {
-    if (!evenVane) return room->emplace(MakeVane<float>(ctx, cell));
-    if (!cells || !Varies(CellTilt)) return *evenVane;
-    Vane &vane = room->emplace(*evenVane);
-    vane.row = {vane.row.Spacing(), {TiltAt(ctx, cell)}, vane.row.Aspect()};
-    return vane;
+FeatherBarbuleMaterial::TiltableVane FeatherBarbuleMaterial::VaneAt(const TextureEvalContext &ctx,
+                                                                    const FeatherCell &cell) const {
+    if (!evenVane) return {MakeVane<float>(ctx, cell), {}};
+    if (!cells || !Varies(CellTilt)) return {*evenVane, {}};
+    return {*evenVane, TiltAt(ctx, cell)};
 }
 
 FeatherSurface FeatherBarbuleMaterial::GetPacketInput(const TextureEvalContext &ctx,
                                                       const SampledWavelengths &lambda) const {
-    std::optional<Vane> room;
     const FeatherCell cell = CellAt(ctx);
+    const auto [vane, tilt] = VaneAt(ctx, cell);
     FeatherSurface surface{
-        VaneAt(ctx, cell, &room), ThicknessAt(ctx, cell), values[FilmRoughness].Evaluate(ctx), {}};
+        vane, tilt, ThicknessAt(ctx, cell), values[FilmRoughness].Evaluate(ctx), {}};
     const SampledSpectrum etas = eta.Sample(lambda), reflectance = melanin.Evaluate(ctx, lambda);
     for (int i = 0; i < NSpectrumSamples; ++i) {
         surface.optics.lambda[i] = lambda[i];
@@ -133,8 +131,9 @@ Frame FeatherBarbuleMaterial::TurnFrame(const Frame &frame, const TextureEvalCon
 }
 
 float FeatherBarbuleMaterial::NullTransmission(const TextureEvalContext &ctx, Vector3f w) const {
-    std::optional<Vane> room;
-    return VaneAt(ctx, CellAt(ctx), &room).GapFraction({w.x, w.y, w.z});
+    auto [vane, tilt] = VaneAt(ctx, CellAt(ctx));
+    if (tilt) vane.row.Tilt(true, {*tilt});
+    return vane.GapFraction({w.x, w.y, w.z});
 }
 
 std::string FeatherBarbuleMaterial::Warnings(const ClampCounts &counts) const {

@@ -83,9 +83,12 @@ class FeatherBarbuleMaterial {
     FeatherCell CellAt(const TextureEvalContext &ctx) const;
     float ThicknessAt(const TextureEvalContext &ctx, const FeatherCell &cell) const;
     float TiltAt(const TextureEvalContext &ctx, const FeatherCell &cell) const;
-    /// A vane of the material, or `room` with the cell's there.
-    const Vane &VaneAt(const TextureEvalContext &ctx, const FeatherCell &cell,
-                       std::optional<Vane> *room) const;
+    /// The vane there, and the tilt of its barbules if that is another.
+    struct TiltableVane {
+        Vane vane;
+        std::optional<float> tilt;
+    };
+    TiltableVane VaneAt(const TextureEvalContext &ctx, const FeatherCell &cell) const;
 
     std::array<BoundedTexture, feather::kParams.size()> values;
     FeatherCells cells;
