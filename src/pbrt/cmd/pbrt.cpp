@@ -17,6 +17,7 @@
 #include "pbrt/render/mse_log.h"
 #include "pbrt/render/progress.h"
 #include "pbrt/render/statistics.h"
+#include "pbrt/rewrite/rewrite.h"
 #include "pbrt/util/atomic_file.h"
 #include "pbrt/util/say.h"
 #include "pbrt/util/write_all.h"
@@ -32,6 +33,7 @@ struct Arguments {
     Options options;
     std::string statsFile, explain;
     bool stats = false, quiet = false;
+    bool format = false, toPly = false, upgrade = false;
     // As written; TakeWritten puts them into `overrides`. Nothing, or 0: not given.
     std::vector<float> crop;
     std::vector<int> bounds, pixel;
@@ -78,6 +80,12 @@ void DefineOptions(CLI::App *app, Arguments *a) {
     cli::AddText(app, "--explain", &a->explain,
                  "print the parameters of a plug-in, as of \"material hair\", or the names of a "
                  "family, as \"material\"; all: everything as Markdown");
+    cli::AddFlag(app, "--format", &a->format, "print the scene files anew, well laid out");
+    cli::AddFlag(
+        app, "--toply", &a->toPly,
+        "the same, with triangle meshes of 500 indices or more in PLY files beside the scene");
+    cli::AddFlag(app, "--upgrade", &a->upgrade,
+                 "print the scene files, of pbrt-v3, as pbrt-v4 has them");
     cli::AddFlag(app, "--quiet", &a->quiet, "no progress, no warnings");
     cli::AddFooter(app,
                    "examples:\n"
@@ -119,14 +127,19 @@ void Print(const Diagnostics &log, bool quiet) {
     constexpr size_t kMost = 50;
     const bool color = isatty(STDERR_FILENO) != 0;
     const bool errorsOnly = quiet || (log.HasErrors() && log.Messages().size() > kMost);
-    size_t count = 0;
+    size_t shown = 0, more = 0;
     for (const Message *m : log.InOrderOfPlace()) {
         const bool error = m->severity == Severity::Error;
-        if ((errorsOnly && !error) || ++count > kMost) continue;
+        if (quiet && !error) continue;
+        if ((errorsOnly && !error) || shown == kMost) {
+            ++more;
+            continue;
+        }
+        ++shown;
         Say(fmt::format("{}{}{}: {}\n", color ? (error ? "\033[1;31m" : "\033[1;33m") : "",
                         error ? "Error" : "Warning", color ? "\033[0m" : "", m->text));
     }
-    if (count > kMost) Say(fmt::format("... and {} more messages like these.\n", count - kMost));
+    if (more > 0) Say(fmt::format("... and {} more messages.\n", more));
     for (const std::string &line : log.MissingFiles())
         Say(line + ".\n");
 }
@@ -211,8 +224,23 @@ int RenderAndWrite(const RenderTask &task, const Arguments &a, const Times &time
     return Report(CollectStatistics(scene, *stats, times.parse, times.build), a);
 }
 
+/// New text of the scene files on standard output.
+cli::Outcome Rewrite(const Arguments &a) {
+    Diagnostics log;
+    if (a.format + a.toPly + a.upgrade > 1)
+        log.Error({}, "--format, --toply and --upgrade exclude each other");
+    const auto task = a.upgrade ? rewrite::Task::Upgrade
+                      : a.toPly ? rewrite::Task::ToPly
+                                : rewrite::Task::Format;
+    const std::string text =
+        log.HasErrors() ? std::string() : rewrite::RewriteFiles(a.files, task, log);
+    Print(log, a.quiet);
+    return {log.HasErrors() ? kUserError : kSuccess, text, {}};
+}
+
 cli::Outcome Run(Arguments &a) {
     if (!a.explain.empty()) return Explain(a.explain);
+    if (a.format || a.toPly || a.upgrade) return Rewrite(a);
     TakeWritten(a);
     const cli::Threads threads = cli::LimitThreads(a.overrides.nThreads);
     a.overrides.nThreads = threads.count;

@@ -22,6 +22,11 @@ constexpr std::array kNames{
     UpstreamName{"material", "measured",
                  "Use \"conductor\" or \"coateddiffuse\" with a color like it"},
     UpstreamName{"material", "subsurface", "Use \"coateddiffuse\" with the color that it shows"},
+    UpstreamName{
+        "material \"coatedconductor\"", "albedo",
+        "A coat that scatters is refused: \"mix\" it with \"diffuse\" of the coat's color"},
+    UpstreamName{"material \"coateddiffuse\"", "albedo",
+                 "A coat that scatters is refused: give the base the color that both show"},
     UpstreamName{"texture class", "bilerp", "Use \"imagemap\" with a picture of 2 x 2 pixels"},
     UpstreamName{"texture class", "marble", "Use \"imagemap\" with a picture of it"},
     UpstreamName{"texture class", "windy", "Use \"fbm\" or \"imagemap\""},
@@ -29,7 +34,6 @@ constexpr std::array kNames{
     UpstreamName{"option of pbrt", "disableimagetextures", ""},
     UpstreamName{"option of pbrt", "displacementedgescale", ""},
     UpstreamName{"option of pbrt", "displayserver", ""},
-    UpstreamName{"option of pbrt", "format", ""},
     UpstreamName{"option of pbrt", "fullscreen", ""},
     UpstreamName{"option of pbrt", "gpu", ""},
     UpstreamName{"option of pbrt", "gpudevice", ""},
@@ -39,8 +43,6 @@ constexpr std::array kNames{
     UpstreamName{"option of pbrt", "logutilization", ""},
     UpstreamName{"option of pbrt", "pixelmaterial", ""},
     UpstreamName{"option of pbrt", "pixelstats", ""},
-    UpstreamName{"option of pbrt", "toply", ""},
-    UpstreamName{"option of pbrt", "upgrade", ""},
     UpstreamName{"option of pbrt", "wavefront", ""},
     UpstreamName{"option of pbrt", "writepartialimages", ""},
     UpstreamName{"command of imgtool", "assemble", ""},
@@ -61,6 +63,7 @@ constexpr std::array kOldNames{
     OldName{"sampler", "lowdiscrepancy", "paddedsobol"},
     OldName{"sampler", "maxmindist", "pmj02bn"},
     OldName{"sampler", "random", "independent"},
+    OldName{"area light", "area", "diffuse"},
     OldName{"integrator", "directlighting", "path"},
     OldName{"integrator", "whitted", "path"},
     OldName{"material", "disney", "diffuse"},
@@ -103,6 +106,12 @@ std::string PbrtHasIt(std::string_view kind, std::string_view name) {
         return text;
     }
     return {};
+}
+
+std::string CalledNow(const OldName &old) {
+    std::string text = "pbrt-v4 calls it \"" + std::string(old.is) + '"';
+    if (!PbrtHasIt(old.kind, old.is).empty()) text += ", which is not built here";
+    return text;
 }
 
 const OldName *FindOldName(std::string_view kind, std::string_view name) {
