@@ -26,8 +26,9 @@ TEST_F(ImgTool, EveryCommandHasAManual) {
 TEST_F(ImgTool, MistakesAreExplained) {
     EXPECT_EQ(Fail({"convrt", "a.exr"}),
               "imgtool: unknown command \"convrt\"; did you mean \"convert\"?\nexpected "
-              "\"average\", \"check\", \"convert\", \"diff\", \"error\", \"info\" or "
-              "\"makeequiarea\"\n");
+              "\"average\", \"bloom\", \"cat\", \"check\", \"convert\", \"denoise\", \"diff\", "
+              "\"error\", \"falsecolor\", \"info\", \"makeequiarea\", \"scalenormalmap\", "
+              "\"splitn\" or \"whitebalance\"\n");
     EXPECT_EQ(Fail({"convert", "a.exr", "--outfle", "b"}),
               "imgtool convert: unknown option --outfle; did you mean --outfile?\n"
               "(\"imgtool convert --help\" lists the options)\n");
@@ -46,11 +47,20 @@ TEST_F(ImgTool, EveryCommandSaysWhatOfAFileItDoesNotRead) {
         "imgtool: " + stereo +
         ": has 2 parts, of which only the first, \"left\", is read (others: \"right\")\n";
     const std::vector<std::vector<std::string>> commands{
-        {"average", stereo, plain, "--outfile", out},   {"check", stereo},
-        {"convert", stereo, "--outfile", out},          {"diff", stereo, "--reference", plain},
-        {"error", plain, plain, "--reference", stereo}, {"info", stereo},
-        {"makeequiarea", stereo, "--outfile", out}};
-    EXPECT_EQ(commands.size(), kTool.commands.size());
+        {"average", stereo, plain, "--outfile", out},
+        {"bloom", stereo, "--outfile", out},
+        {"cat", stereo},
+        {"check", stereo},
+        {"convert", stereo, "--outfile", out},
+        {"diff", stereo, "--reference", plain},
+        {"error", plain, plain, "--reference", stereo},
+        {"falsecolor", stereo, "--outfile", out},
+        {"info", stereo},
+        {"makeequiarea", stereo, "--outfile", out},
+        {"scalenormalmap", stereo, "--outfile", out},
+        {"splitn", stereo, plain, "--outfile", out},
+        {"whitebalance", "--temperature", "5000", stereo, "--outfile", out}};
+    EXPECT_EQ(commands.size() + 1, kTool.commands.size()) << "denoise needs its library";
     for (const std::vector<std::string> &args : commands) {
         const cli::Outcome outcome = Do(args);
         EXPECT_EQ(outcome.exitCode, 0) << args[0] << outcome.err;
