@@ -16,6 +16,7 @@ inline Outcome Failure(std::string_view reason) {
     return cli::Failure("imgtool", reason);
 }
 
+Outcome Assemble(Args args);
 Outcome Average(Args args);
 Outcome Check(Args args);
 Outcome Convert(Args args);
@@ -23,5 +24,6 @@ Outcome Diff(Args args);
 Outcome Error(Args args);
 Outcome Info(Args args);
 Outcome MakeEquiArea(Args args);
+Outcome Merge(Args args);
 
 }  // namespace pbrt::imgtool

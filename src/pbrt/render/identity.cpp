@@ -12,6 +12,14 @@ int SeedOf(const SceneDescription &description) {
     return description.options.seed;
 }
 
+/// Names in the scene that are no assets.
+std::vector<std::string> WrittenFiles(const SceneDescription &description) {
+    std::vector<std::string> names{description.options.mseReferenceOut};
+    for (const ParsedParameter &p : description.film.params)
+        if (p.name == "filename") names.insert(names.end(), p.strings.begin(), p.strings.end());
+    return names;
+}
+
 std::string BoundsText(const PixelBounds &b) {
     return fmt::format("[{}, {}) x [{}, {})", b.x0, b.x1, b.y0, b.y1);
 }
@@ -49,7 +57,7 @@ RenderIdentity IdentityOf(const SceneDescription &description, const Overrides &
     RenderIdentity id;
     id.version = PBRT_VERSION;
     id.text = description.content.Text();
-    id.assets = description.content.Assets();
+    id.assets = description.content.Assets(WrittenFiles(description));
     id.options = fmt::format("render-coord-sys {}", o.renderCoordSys);
     const auto flag = [&](bool set, std::string_view name) {
         if (set) id.options.append(", ").append(name);

@@ -47,6 +47,7 @@ struct Options {
     bool disableWavelengthJitter = false;
     bool disableTextureFiltering = false;
     bool forceDiffuse = false;
+    bool pixelStats = false;
     std::string renderCoordSys = "cameraworld";
     std::string mseReferenceImage, mseReferenceOut;
     /// Puts numbers into scene text where it says $frame (scene/frame_text.h).

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <xxhash.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -51,14 +52,15 @@ void SceneContent::AddText(std::string_view more, std::string_view dir) {
         if (word.empty() || word.size() > kLongest || !seen.insert(word).second) return;
         std::string file = ResolvePath(word, dir);
         std::error_code none;
-        if (std::filesystem::is_regular_file(file, none)) files.push_back(std::move(file));
+        if (std::filesystem::is_regular_file(file, none)) files.push_back({word, std::move(file)});
     });
 }
 
-Digest SceneContent::Assets() const {
+Digest SceneContent::Assets(std::span<const std::string> written) const {
     Digest all{};
-    for (const std::string &file : files)
-        all = Joined(all, DigestOfFile(file));
+    for (const File &file : files)
+        if (std::find(written.begin(), written.end(), file.word) == written.end())
+            all = Joined(all, DigestOfFile(file.path));
     return all;
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_set>
@@ -25,13 +26,17 @@ class SceneContent {
 
     /// Of all text, layout and comments included.
     const Digest &Text() const { return text; }
-    /// Of the contents of all files that were there when AddText saw their names. Reads them.
-    Digest Assets() const;
+    /// Of the contents of all files that were there when AddText saw their names, but for those
+    /// with these, which the scene writes. Reads them.
+    Digest Assets(std::span<const std::string> written) const;
 
   private:
     Digest text{};
     std::unordered_set<std::string> seen;  ///< words, so that each is looked for once
-    std::vector<std::string> files;        ///< in the order of their names in the text
+    struct File {
+        std::string word, path;
+    };
+    std::vector<File> files;  ///< in the order of their names in the text
 };
 
 }  // namespace pbrt
