@@ -26,8 +26,8 @@ TEST_F(ImgTool, EveryCommandHasAManual) {
 TEST_F(ImgTool, MistakesAreExplained) {
     EXPECT_EQ(Fail({"convrt", "a.exr"}),
               "imgtool: unknown command \"convrt\"; did you mean \"convert\"?\nexpected "
-              "\"average\", \"check\", \"convert\", \"diff\", \"error\", \"info\" or "
-              "\"makeequiarea\"\n");
+              "\"assemble\", \"average\", \"check\", \"convert\", \"diff\", \"error\", \"info\", "
+              "\"makeequiarea\" or \"merge\"\n");
     EXPECT_EQ(Fail({"convert", "a.exr", "--outfle", "b"}),
               "imgtool convert: unknown option --outfle; did you mean --outfile?\n"
               "(\"imgtool convert --help\" lists the options)\n");
@@ -49,8 +49,9 @@ TEST_F(ImgTool, EveryCommandSaysWhatOfAFileItDoesNotRead) {
         {"average", stereo, plain, "--outfile", out},   {"check", stereo},
         {"convert", stereo, "--outfile", out},          {"diff", stereo, "--reference", plain},
         {"error", plain, plain, "--reference", stereo}, {"info", stereo},
-        {"makeequiarea", stereo, "--outfile", out}};
-    EXPECT_EQ(commands.size(), kTool.commands.size());
+        {"makeequiarea", stereo, "--outfile", out},     {"assemble", stereo, "--outfile", out}};
+    // merge takes no such file.
+    EXPECT_EQ(commands.size() + 1, kTool.commands.size());
     for (const std::vector<std::string> &args : commands) {
         const cli::Outcome outcome = Do(args);
         EXPECT_EQ(outcome.exitCode, 0) << args[0] << outcome.err;

@@ -123,6 +123,7 @@ std::optional<Film> Film::ForSums(std::string_view type, size_t sumsPerPixel) {
     ParamDict params(parameters, {}, "film", &RGBColorSpace::sRGB(), &log);
     Film film = Create(type, params, {});
     if (log.HasErrors() || film.SumsPerPixel() != sumsPerPixel) return {};
+    film.bounds = {0, 1, 0, 1};
     return film;
 }
 

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -69,16 +70,17 @@ class Accumulator {
     }
 
   private:
-    /// Keeps what all images have in common; the seeds of all.
+    /// The seeds of all images, and a range around theirs, where they are of one scene.
     void AddOrigin(const ImageMetadata &metadata) {
         const std::optional<Origin> its = OriginOf(metadata);
         if (count == 1) {
             origin = its;
-        } else if (!its || !origin || its->scene != origin->scene || its->first != origin->first ||
-                   its->last != origin->last) {
+        } else if (!its || !origin || its->scene != origin->scene) {
             origin.reset();
         } else {
             origin->seeds.insert(origin->seeds.end(), its->seeds.begin(), its->seeds.end());
+            origin->first = std::min(origin->first, its->first);
+            origin->last = std::max(origin->last, its->last);
             origin->whole = std::max(origin->whole, its->whole);
         }
     }

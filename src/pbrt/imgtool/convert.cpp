@@ -28,7 +28,8 @@ constexpr char kDescription[] =
     "aces-filmic, repeat-pix, flipy. Channel A keeps its values.";
 
 void DefineOptions(CLI::App *app, Options *o) {
-    cli::AddRequired(app, "picture", &o->file, "picture to read (EXR, PNG, JPEG, PFM, HDR, QOI, TGA)");
+    cli::AddRequired(app, "picture", &o->file,
+                     "picture to read (EXR, PNG, JPEG, PFM, HDR, QOI, TGA)");
     AddOutfile(app, &o->outfile);
     AddChannels(app, &o->channels);
     AddCrop(app, &o->crop);

@@ -119,12 +119,21 @@ class Canvas {
 
     /// Develops the pixels that have this coverage; none, or the bits of one part, are as they are.
     void Develop(const Film &film, uint64_t whole, bool all) {
+        // The film has its channels in another order than a file that was read.
+        const Image inFilm = film.NewImage();
+        std::vector<int> places;
+        for (const std::string &name : inFilm.ChannelNames())
+            places.push_back(image.ChannelIndex(name));
+        std::vector<float> values(places.size());
         for (size_t i = 0; i < coverage.size(); ++i) {
-            const bool summed = std::any_of(&sums[i * perPixel], &sums[i * perPixel] + perPixel,
+            const std::span<const ExactSum> pixel(&sums[i * perPixel], perPixel);
+            const bool summed = std::any_of(pixel.begin(), pixel.end(),
                                             [](const ExactSum &s) { return s != ExactSum(); });
             if (coverage[i] != whole || !(summed || all)) continue;
-            film.Develop(film.Unflatten(&sums[i * perPixel]),
-                         &image.Data()[i * size_t(image.NChannels())]);
+            film.Develop(film.Unflatten(pixel.data()), values.data());
+            for (size_t c = 0; c < places.size(); ++c)
+                if (places[c] >= 0)
+                    image.Data()[i * size_t(image.NChannels()) + size_t(places[c])] = values[c];
         }
     }
 

@@ -146,7 +146,7 @@ Place PlaceAt(std::string_view text) {
         open += line[i] == '(' ? 1 : line[i] == ')' ? -1 : 0;
         if (open == 0) return {i + 1, text.substr(2, i - 2)};
     }
-    return {line.size(), line.substr(2)};  // without its end: what is missing is told
+    return {line.size(), line.substr(1)};  // with the "(" that is not closed, which is told
 }
 
 OrError<std::string> Put(std::string_view text, int frame, bool comments) {
