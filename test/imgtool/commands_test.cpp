@@ -42,11 +42,12 @@ TEST_F(ImgTool, EveryCommandSaysWhatOfAFileItDoesNotRead) {
     const std::string stereo = Path("stereo.exr"), out = Path("out.exr");
     WriteExrParts(stereo, {"left", "right"}, {4, 2});
     const std::string plain = Save("plain.exr", Picture({4, 2}, kRGB, std::vector<float>(24, 1)));
+    const std::string other = Save("other.exr", Picture({4, 2}, kRGB, std::vector<float>(24, 3)));
     const std::string said =
         "imgtool: " + stereo +
         ": has 2 parts, of which only the first, \"left\", is read (others: \"right\")\n";
     const std::vector<std::vector<std::string>> commands{
-        {"average", stereo, plain, "--outfile", out},   {"check", stereo},
+        {"average", stereo, other, "--outfile", out},   {"check", stereo},
         {"convert", stereo, "--outfile", out},          {"diff", stereo, "--reference", plain},
         {"error", plain, plain, "--reference", stereo}, {"info", stereo},
         {"makeequiarea", stereo, "--outfile", out},     {"assemble", stereo, "--outfile", out}};
