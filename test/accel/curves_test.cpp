@@ -205,8 +205,8 @@ TEST(Curves, AreMetBesideOtherShapesAndInInstances) {
                                      Traced::Of(bow)};
     const std::vector<ObjectRange> objects{{2, 4}};
     const Transform aside = Transform::Translate({5, 0, 0});
-    const std::vector<Instance> instances{{0, {aside, aside}}};
-    const Accel accel(list, 2, objects, instances, 1);
+    const Instance instance{0, AffineTransform(aside)};
+    const Accel accel(list, 2, objects, std::span(&instance, 1), 1);
     for (const bool instanced : {false, true}) {
         Ray ray = Onto(0.125f, 0);
         if (instanced) ray.o.x += 5;

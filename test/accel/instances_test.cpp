@@ -43,6 +43,10 @@ std::vector<Geometry> Models(const Transform &t) {
     return list;
 }
 
+Instance MovingInstance(const Transform &from, const Transform &to) {
+    return {0, AffineTransform(from), std::make_unique<const std::vector<Transform>>(1, to)};
+}
+
 void ExpectNear(Vector3f a, Vector3f b, float tolerance) {
     EXPECT_NEAR(a.x, b.x, tolerance);
     EXPECT_NEAR(a.y, b.y, tolerance);
@@ -57,9 +61,9 @@ void ExpectEqual(const std::vector<Transform> &places, float time, const Instanc
     for (const Transform &t : places) {
         for (Geometry &g : Models(t))
             copies.push_back(std::move(g));
-        Instance instance = like;
-        if (!like.moving) instance.renderFromObject = {t, t};
-        instances.push_back(instance);
+        instances.push_back({1, like.Moves() ? like.renderFromObject : AffineTransform(t)});
+        if (like.Moves())
+            instances.back().later = std::make_unique<const std::vector<Transform>>(*like.later);
     }
     // A plane of its own at top level shifts nothing.
     const std::vector<ObjectRange> objects{{0, 0}, {1, 1 + count}};
@@ -67,8 +71,6 @@ void ExpectEqual(const std::vector<Transform> &places, float time, const Instanc
     all[0].shape = Sphere{Transform::Translate({0, 0, 1000})};
     for (Geometry &g : models)
         all.push_back(std::move(g));
-    for (Instance &i : instances)
-        i.object = 1;
     const Accel instanced(all, 1, objects, instances, 2);
     const Accel direct(copies, uint32_t(copies.size()), {}, {}, 2);
     ASSERT_EQ(instanced.Error(), "");
@@ -113,10 +115,9 @@ TEST(Instances, LookLikeCopies) {
 }
 
 TEST(Instances, MoveLinearlyBetweenTheirKeys) {
-    Instance moving;
-    moving.moving = true;
-    moving.renderFromObject = {Transform::Translate({-4, 0, 0}),
-                               Transform::Translate({4, 2, 0}) * *Transform::Scale({2, 1, 1})};
+    const Instance moving =
+        MovingInstance(Transform::Translate({-4, 0, 0}),
+                       Transform::Translate({4, 2, 0}) * *Transform::Scale({2, 1, 1}));
     const Transform middle = Transform::Translate({-2, 0.5f, 0}) * *Transform::Scale({1.25f, 1, 1});
     ExpectEqual({middle}, 0.25f, moving);
 }
@@ -130,8 +131,8 @@ void ExpectLeft(const Instance &instance, float time) {
     Matrix4 m;
     for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j)
-            m[i][j] = Lerp(time, instance.renderFromObject[0].Matrix()[i][j],
-                           instance.renderFromObject[1].Matrix()[i][j]);
+            m[i][j] = Lerp(time, instance.Key(0).Matrix()[i][j],
+                           instance.Key(instance.NKeys() - 1).Matrix()[i][j]);
     const Transform t = *Transform::FromMatrix(m);
     Rng rng(5);
     int tested = 0;
@@ -161,7 +162,7 @@ void ExpectLeft(const Instance &instance, float time) {
 TEST(Instances, SpawnedRaysLeaveThem) {
     const Transform t = Transform::Translate({300, -200, 100}) * *Transform::Rotate(70, {1, 1, 0}) *
                         *Transform::Scale({0.3f, 2, 1});
-    ExpectLeft({0, {t, t}, false}, 0);
+    ExpectLeft({0, AffineTransform(t)}, 0);
 }
 
 TEST(Instances, SpawnedRaysLeaveThemInMotion) {
@@ -172,7 +173,7 @@ TEST(Instances, SpawnedRaysLeaveThemInMotion) {
                              *Transform::Scale({0.3f, 2, 1});
         const Transform t1 =
             Transform::Translate({1, 2, 3}) * t0 * *Transform::Rotate(20, RandomDirection(rng));
-        ExpectLeft({0, {t0, t1}, true}, rng.Uniform());
+        ExpectLeft(MovingInstance(t0, t1), rng.Uniform());
     }
 }
 
@@ -181,7 +182,9 @@ TEST(Instances, OfEmptyOrInvisibleObjectsAreNothing) {
     models[0].shape = Sphere{};
     models[0].alpha = 0.f;
     const std::vector<ObjectRange> objects{{0, 1}, {1, 1}};
-    const std::vector<Instance> instances{{0, {}, false}, {1, {}, false}};
+    std::vector<Instance> instances;
+    instances.push_back({0, {}});
+    instances.push_back({1, {}});
     const Accel accel(models, 0, objects, instances, 1);
     EXPECT_EQ(accel.Error(), "");
     EXPECT_FALSE(accel.Occluded({{0, 0, -3}, {0, 0, 1}}));

@@ -203,8 +203,17 @@ TEST_F(ProgramOptions, ThousandsOfMessagesAreCounted) {
     const std::string said = Run("pbrt scene.pbrt").said;
     EXPECT_NE(said.find("scene.pbrt:51:1"), std::string::npos);
     EXPECT_EQ(said.find("scene.pbrt:52:1"), std::string::npos);
-    EXPECT_NE(said.find("... and 150 more messages like these.\n200 errors;"), std::string::npos)
-        << said;
+    EXPECT_NE(said.find("... and 150 more messages.\n200 errors;"), std::string::npos) << said;
+}
+
+TEST_F(ProgramOptions, WarningsThatAreLeftOutAreCounted) {
+    std::string broken = "Option \"pixelstats\" true\nWorldBegin\n";
+    for (int i = 0; i < 50; ++i)
+        broken += "Shape \"cube\"\n";
+    Write("scene.pbrt", broken);
+    EXPECT_NE(Run("pbrt scene.pbrt").said.find("... and 1 more messages.\n50 errors;"),
+              std::string::npos);
+    EXPECT_EQ(Run("pbrt --quiet scene.pbrt").said.find("more messages"), std::string::npos);
 }
 
 TEST_F(ProgramOptions, CompatibilityIsWhatTheProgramsSay) {

@@ -79,6 +79,26 @@ TEST_F(Program, OptionsOfEverySpelling) {
     EXPECT_EQ(image.value->metadata.fullResolution, (Point2i{4, 2}));
 }
 
+TEST_F(Program, ScenesOfPbrtV3AreUpgradedToStandardOutput) {
+    Write("old.pbrt",
+          "Film \"image\" \"string filename\" \"out.exr\" \"integer xresolution\" 8\n"
+          "\"integer yresolution\" 4\nSampler \"random\" \"integer pixelsamples\" 1\nWorldBegin\n"
+          "LightSource \"point\" \"point from\" [ 0 0 0 ]\nWorldEnd\n");
+    const Outcome refused = Run("old.pbrt");
+    EXPECT_EQ(refused.exitCode, 1);
+    EXPECT_NE(refused.said.find("\"pbrt --upgrade old.pbrt > new.pbrt\""), std::string::npos)
+        << refused.said;
+    EXPECT_EQ(Run("--upgrade old.pbrt > new.pbrt").exitCode, 0);
+    EXPECT_EQ(Run("new.pbrt --quiet").exitCode, 0) << Read("new.pbrt");
+    EXPECT_EQ(Run("--format < new.pbrt > again.pbrt").exitCode, 0);
+    EXPECT_EQ(Read("again.pbrt"), Read("new.pbrt"));
+    EXPECT_EQ(Run("--toply again.pbrt > third.pbrt").exitCode, 0);
+    EXPECT_EQ(Read("third.pbrt"), Read("new.pbrt"));
+    const Outcome both = Run("--format --upgrade old.pbrt");
+    EXPECT_EQ(both.exitCode, 1);
+    EXPECT_NE(both.said.find("exclude each other"), std::string::npos) << both.said;
+}
+
 TEST_F(Program, PixelBoundsAndPng) {
     Write("scene.pbrt", kScene);
     EXPECT_EQ(Run("scene.pbrt --quiet --outfile a.png --pixelbounds 4,10,2,6").exitCode, 0);

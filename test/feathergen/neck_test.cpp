@@ -81,7 +81,7 @@ TEST_F(Neck, CoversAGivenMesh) {
     ASSERT_TRUE(world);
     ASSERT_GT(world->instances.size(), 30u);
     for (const Instance &instance : world->instances) {
-        const Transform &t = instance.renderFromObject[0];
+        const Transform t = instance.Key(0);
         EXPECT_NEAR(t.Point({0, 0, 0}).x, 0, 1e-3) << "roots on the plate";
         EXPECT_GT(t.Vector({0, 0, 1}).x, 0) << "outer faces out";
         EXPECT_GT(Dot(t.Vector({0, 1, 0}), Vector3f{0, 1, -1}), 0) << "tips with the flow";

@@ -24,10 +24,13 @@ TEST_F(ImgTool, EveryCommandHasAManual) {
 }
 
 TEST_F(ImgTool, MistakesAreExplained) {
-    EXPECT_EQ(Fail({"convrt", "a.exr"}),
-              "imgtool: unknown command \"convrt\"; did you mean \"convert\"?\nexpected "
-              "\"assemble\", \"average\", \"check\", \"convert\", \"diff\", \"error\", \"info\", "
-              "\"makeequiarea\" or \"merge\"\n");
+    EXPECT_EQ(
+        Fail({"convrt", "a.exr"}),
+        "imgtool: unknown command \"convrt\"; did you mean \"convert\"?\nexpected "
+        "\"assemble\", \"average\", \"bloom\", \"cat\", \"check\", \"convert\", \"denoise\", "
+        "\"diff\", "
+        "\"error\", \"falsecolor\", \"info\", \"makeequiarea\", \"merge\", \"scalenormalmap\", "
+        "\"splitn\" or \"whitebalance\"\n");
     EXPECT_EQ(Fail({"convert", "a.exr", "--outfle", "b"}),
               "imgtool convert: unknown option --outfle; did you mean --outfile?\n"
               "(\"imgtool convert --help\" lists the options)\n");
@@ -47,12 +50,22 @@ TEST_F(ImgTool, EveryCommandSaysWhatOfAFileItDoesNotRead) {
         "imgtool: " + stereo +
         ": has 2 parts, of which only the first, \"left\", is read (others: \"right\")\n";
     const std::vector<std::vector<std::string>> commands{
-        {"average", stereo, other, "--outfile", out},   {"check", stereo},
-        {"convert", stereo, "--outfile", out},          {"diff", stereo, "--reference", plain},
-        {"error", plain, plain, "--reference", stereo}, {"info", stereo},
-        {"makeequiarea", stereo, "--outfile", out},     {"assemble", stereo, "--outfile", out}};
-    // merge takes no such file.
-    EXPECT_EQ(commands.size() + 1, kTool.commands.size());
+        {"assemble", stereo, "--outfile", out},
+        {"average", stereo, other, "--outfile", out},
+        {"bloom", stereo, "--outfile", out},
+        {"cat", stereo},
+        {"check", stereo},
+        {"convert", stereo, "--outfile", out},
+        {"diff", stereo, "--reference", plain},
+        {"error", plain, plain, "--reference", stereo},
+        {"falsecolor", stereo, "--outfile", out},
+        {"info", stereo},
+        {"makeequiarea", stereo, "--outfile", out},
+        {"scalenormalmap", stereo, "--outfile", out},
+        {"splitn", stereo, plain, "--outfile", out},
+        {"whitebalance", "--temperature", "5000", stereo, "--outfile", out}};
+    // denoise needs its library; merge takes no such file.
+    EXPECT_EQ(commands.size() + 2, kTool.commands.size());
     for (const std::vector<std::string> &args : commands) {
         const cli::Outcome outcome = Do(args);
         EXPECT_EQ(outcome.exitCode, 0) << args[0] << outcome.err;

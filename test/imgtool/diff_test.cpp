@@ -36,8 +36,9 @@ TEST_F(Diffing, DifferenceIsReportedInEachMetric) {
     // 9 / 1.01^2 / 3
     EXPECT_EQ(DiffOf(image, reference, {"--metric", "mrse"}).out,
               averages + "delta +75.0000 %, MRSE 2.94089\n");
-    EXPECT_EQ(DiffOf(image, reference, {"--metric", "PSNR"}).err,
-              "imgtool: unknown metric \"PSNR\"; there are \"MSE\", \"MAE\" or \"MRSE\"\n");
+    EXPECT_EQ(
+        DiffOf(image, reference, {"--metric", "PSNR"}).err,
+        "imgtool: unknown metric \"PSNR\"; there are \"MSE\", \"MAE\", \"MRSE\" or \"FLIP\"\n");
 }
 
 TEST_F(Diffing, ToleranceChannelsAndCrop) {

@@ -81,7 +81,7 @@ inline void AddAreaLights(const std::string &text, const std::string &dir, Parse
     const float alpha = shapeParams.GetOneFloat(kAlpha);
     for (Shape &shape : CreateShapes(entity, shapeParams, entity.worldFromObject[0])) {
         const auto kept = std::make_shared<const Shape>(std::move(shape));
-        for (const Light &light : CreateAreaLights(entity.areaLight->type, own, *kept, alpha))
+        for (const Light &light : CreateAreaLights(entity.areaLight->type, own, {*kept, alpha}))
             cases->push_back({text, kept, light});
     }
 }

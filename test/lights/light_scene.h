@@ -55,7 +55,7 @@ struct AreaScene {
         const Entity &entity = *scene.shapes.begin()->areaLight;
         ParamDict dict(entity.params, entity.loc, "area light \"" + entity.type + "\"",
                        entity.colorSpace, &log);
-        lights = CreateAreaLights(entity.type, dict, shape, alpha);
+        lights = CreateAreaLights(entity.type, dict, {shape, alpha});
     }
     std::string Messages() const {
         std::string all;

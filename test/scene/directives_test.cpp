@@ -139,10 +139,10 @@ TEST(Directives, ObjectsHoldShapesAndInstancesUseThem) {
     ASSERT_EQ(tree.shapes.size(), 1u);
     EXPECT_EQ(All(tree.shapes)[0].worldFromObject[0], Transform::Translate({1, 0, 0}));
     ASSERT_EQ(tree.instances.size(), 1u);
-    EXPECT_EQ(tree.instances[0].worldFromInstance[0], Transform::Translate({1, 0, 0}));
+    EXPECT_EQ(All(tree.instances)[0].worldFromInstance[0], Transform::Translate({1, 0, 0}));
     ASSERT_EQ(d.instances.size(), 2u);
-    EXPECT_TRUE(d.instances[0].worldFromInstance[0] == Transform());
-    EXPECT_EQ(d.instances[1].worldFromInstance[0], *Transform::Scale({2, 2, 2}));
+    EXPECT_TRUE(All(d.instances)[0].worldFromInstance[0] == Transform());
+    EXPECT_EQ(All(d.instances)[1].worldFromInstance[0], *Transform::Scale({2, 2, 2}));
 }
 
 TEST(Directives, AreaLightsInObjectsAreDroppedWithAWarning) {
@@ -225,7 +225,7 @@ TEST(Directives, WhatIsUndefinedIsReportedOnceAndLeftOut) {
     const SceneDescription &d = parsed->scene;
     EXPECT_TRUE(d.objects.at("o").instances.empty());
     ASSERT_EQ(d.instances.size(), 1u);
-    EXPECT_EQ(d.instances[0].name, "o");
+    EXPECT_EQ(All(d.instances)[0].name, "o");
 }
 
 TEST(Directives, AnUnknownOneIsPassedOverWithItsArguments) {

@@ -99,9 +99,9 @@ TEST_F(SceneFiles, AFileMayBeIncludedTwiceButNotInItself) {
 TEST_F(SceneFiles, MissingFilesAreErrorsWhereTheyAreNamed) {
     const auto included =
         ParseAll({Write("a.pbrt", "WorldBegin\nInclude \"no.pbrt\" Shape \"a\"")});
-    EXPECT_EQ(Short(*included),
-              Texts{"a.pbrt:2:9: cannot read \"no.pbrt\": No such file or directory"});
+    EXPECT_EQ(Short(*included), Texts{"a.pbrt:2:9: there is no file \"no.pbrt\""});
     EXPECT_EQ(included->scene.shapes.size(), 1u);
+    EXPECT_EQ(included->log.MissingFiles().size(), 1u);
     EXPECT_EQ(Short(*ParseAll({Path("none.pbrt")})).at(0),
               "cannot read \"none.pbrt\": No such file or directory");
     EXPECT_EQ(Short(*ParseAll({folder.string() + "/."})).at(0),

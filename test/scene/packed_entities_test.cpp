@@ -96,6 +96,28 @@ TEST(PackedEntities, GivesBackWhatWasAppended) {
     EXPECT_EQ(queue.Bytes(), 0u);
 }
 
+TEST(PackedEntities, InstancesKeepTheirTransforms) {
+    const Transform turned = *Transform::Rotate(40, {1, 2, 3}) * Transform::Translate({1, 2, 3});
+    const Transform perspective = Transform::Perspective(40, 1, 100);
+    PackedEntities<InstanceUse> queue;
+    std::vector<InstanceUse> expected;
+    for (const TransformPair &t : std::initializer_list<TransformPair>{
+             {turned, turned}, {Transform(), turned}, {perspective, perspective}})
+        for (const char *name : {"leaf", ""})
+            queue.Append(expected.emplace_back(InstanceUse{name, {"a.pbrt", 7, 3}, t}));
+    const std::vector<InstanceUse> got = All(queue);
+    ASSERT_EQ(got.size(), expected.size());
+    for (size_t i = 0; i < got.size(); ++i) {
+        EXPECT_EQ(got[i].name, expected[i].name);
+        EXPECT_EQ(got[i].loc, expected[i].loc);
+        EXPECT_EQ(got[i].worldFromInstance, expected[i].worldFromInstance);
+    }
+    PackedEntities<InstanceUse> many;
+    for (int i = 0; i < 1000; ++i)
+        many.Append(expected[0]);
+    EXPECT_LT(many.Bytes(), 1000 * (24 * sizeof(float) + 16));
+}
+
 TEST(PackedEntities, ShapesAreSmallerThanTheirText) {
     const std::string sphere = "Shape \"sphere\" \"float radius\" 0.001\n";
     const std::string curve =

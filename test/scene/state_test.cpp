@@ -169,11 +169,13 @@ TEST(State, MovingLightsAndTexturesUseTheStart) {
     EXPECT_FALSE(parsed->log.HasErrors());
 }
 
-TEST(State, MovingAreaLightIsAnError) {
+TEST(State, MovingAreaLight) {
     const auto parsed = ParseWorld(
         "AreaLightSource \"diffuse\" ActiveTransform EndTime "
         "Translate 1 0 0\nShape \"a\"");
-    EXPECT_EQ(parsed->Messages(), Texts{"test.pbrt:3:1: a moving shape cannot be an area light"});
+    EXPECT_EQ(parsed->Messages(), Texts{});
+    const ShapeEntity &shape = *parsed->scene.shapes.begin();
+    EXPECT_TRUE(shape.areaLight && !(shape.worldFromObject[0] == shape.worldFromObject[1]));
 }
 
 TEST(State, AttributeScopesRestoreEverything) {

@@ -22,6 +22,9 @@ TEST(Upstream, OldNamesAreToldTheNewOnes) {
     const std::string_view known[] = {"diffuse"};
     EXPECT_EQ(UnknownName("material", "matte", known),
               "unknown material \"matte\"; pbrt-v4 calls it \"diffuse\"");
+    EXPECT_EQ(UnknownName("material", "fourier", known),
+              "unknown material \"fourier\"; pbrt-v4 calls it \"measured\", which is not built "
+              "here");
     ASSERT_TRUE(FindOldName("film", "image"));
     EXPECT_EQ(FindOldName("film", "image")->is, "rgb");
     EXPECT_FALSE(FindOldName("film", "matte"));

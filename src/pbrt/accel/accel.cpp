@@ -134,8 +134,7 @@ void Accel::Impl::BuildScenes() {
     for (const Instance &instance : instances)
         Count(objects[instance.object].first, objects[instance.object].last);
     scene = NewScene(0, nTop, nTop + uint32_t(instances.size()));
-    for (uint32_t i = 0; i < instances.size() && !Failed(); ++i)
-        AttachInstance(i);
+    AttachInstances();
     if (Failed()) return;
     ReturnFreeMemory();  // Embree's building takes the most
     rtcCommitScene(scene);
@@ -179,6 +178,18 @@ RTCScene Accel::Impl::NewScene(uint32_t first, uint32_t last, uint32_t placedId)
         Attach(s, NewPlaced(device, &placed.back()), placedId);
     }
     return s;
+}
+
+void Accel::Impl::AttachInstances() {
+    resting = {instances, objectScenes, nTop, {}};
+    for (uint32_t i = 0; i < instances.size() && !Failed(); ++i)
+        if (instances[i].Moves() || instances.size() <= kMostEmbreeInstances)
+            AttachInstance(i);
+        else
+            resting.resting.push_back(i);
+    // The ID behind that of the last instance is NewScene's.
+    if (!resting.resting.empty())
+        Attach(scene, NewInstances(device, &resting), nTop + uint32_t(instances.size()) + 1);
 }
 
 void Accel::Impl::AttachInstance(uint32_t index) {

@@ -8,6 +8,7 @@
 
 #include "pbrt/accel/accel.h"
 #include "pbrt/accel/curve_chords.h"
+#include "pbrt/accel/instance_set.h"
 #include "pbrt/accel/native.h"
 #include "pbrt/accel/user_geometry.h"
 
@@ -47,6 +48,7 @@ struct Accel::Impl {
     std::vector<GeometryRecord> records;  ///< one a geometry
     std::deque<PlacedSet> placed;         ///< one a scene that has some
     std::deque<CurveRecord> curves;       ///< one a set of curves
+    InstanceSet resting;                  ///< instances that are not Embree's
     MemoryUse memory;                     ///< of Embree and of `curves`
     EmbreeFailure failure;
     std::string error;
@@ -74,6 +76,7 @@ struct Accel::Impl {
     RTCGeometry NewNative(const GeometryRecord &record, const TriangleMesh &mesh);
     RTCGeometry NewNative(const GeometryRecord &record, const BilinearMesh &mesh);
     RTCGeometry NewNative(const GeometryRecord &record, const CurveSet &set);
+    void AttachInstances();
     void AttachInstance(uint32_t index);
     void Attach(RTCScene target, RTCGeometry geometry, uint32_t id);
 };

@@ -129,11 +129,6 @@ void OccludedPlaced(const RTCOccludedFunctionNArguments *args) {
         OccludedUser<PlacedPrimitive>(args);
 }
 
-void SetBounds(const Bounds3f &b, RTCBounds *out) {
-    out->lower_x = b.min.x, out->lower_y = b.min.y, out->lower_z = b.min.z;
-    out->upper_x = b.max.x, out->upper_y = b.max.y, out->upper_z = b.max.z;
-}
-
 void PlacedBounds(const RTCBoundsFunctionArguments *args) {
     const auto &set = *static_cast<const PlacedSet *>(args->geometryUserPtr);
     SetBounds(Bounds(set[args->primID].common.geometry->shape), args->bounds_o);
@@ -143,6 +138,13 @@ template <typename S>
 void MeshBounds(const RTCBoundsFunctionArguments *args) {
     const MeshPrimitive<S> primitive(args->geometryUserPtr, args->primID);
     SetBounds(primitive.shape.PrimitiveBounds(primitive.index), args->bounds_o);
+}
+
+}  // namespace
+
+void SetBounds(const Bounds3f &b, RTCBounds *out) {
+    out->lower_x = b.min.x, out->lower_y = b.min.y, out->lower_z = b.min.z;
+    out->upper_x = b.max.x, out->upper_y = b.max.y, out->upper_z = b.max.z;
 }
 
 RTCGeometry NewByCallbacks(RTCDevice device, const void *user, size_t count,
@@ -156,8 +158,6 @@ RTCGeometry NewByCallbacks(RTCDevice device, const void *user, size_t count,
     rtcSetGeometryOccludedFunction(geometry, occluded);
     return geometry;
 }
-
-}  // namespace
 
 PlacedRecord::PlacedRecord(const GeometryRecord &record, const Transform &renderFromObject)
     : common(record),

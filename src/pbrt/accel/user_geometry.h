@@ -10,6 +10,12 @@
 
 namespace pbrt {
 
+void SetBounds(const Bounds3f &b, RTCBounds *out);
+/// An Embree geometry of `count` primitives that callbacks bound and meet; they get `user`.
+RTCGeometry NewByCallbacks(RTCDevice device, const void *user, size_t count,
+                           RTCBoundsFunction bounds, RTCIntersectFunctionN intersect,
+                           RTCOccludedFunctionN occluded);
+
 /// One shape with an object space in a scene's set of them.
 struct PlacedRecord {
     GeometryRecord common;

@@ -12,18 +12,20 @@
 namespace pbrt {
 
 /// A receiver of light. ns: the shading normal on the side from which it takes light, 0 where it
-/// takes light from all sides.
+/// takes light from all sides. time: the path's, in [0, 1].
 struct LightSampleContext {
     Point3f p;
     Normal3f ns;
+    float time = 0;
 };
 
 /// Sixteen receivers.
 struct LightSampleContextX16 {
     Point3fX16 p;
     Normal3fX16 ns;
+    FloatX16 time{};
 
-    LightSampleContext At(int i) const { return {Lane(p, i), Lane(ns, i)}; }
+    LightSampleContext At(int i) const { return {Lane(p, i), Lane(ns, i), time[i]}; }
 };
 
 /// Light from one sampled direction.
@@ -117,10 +119,11 @@ struct LightTraits {
 ///   static Made Create(ParamDict &, const Transform &renderFromLight)
 ///   static Made Create(ParamDict &, const Transform &renderFromLight,
 ///                      const Transform &renderFromWorld)
-///   static std::vector<L> Create(ParamDict &, const Shape &, const FloatTexture &alpha)
+///   static std::vector<L> Create(ParamDict &, const EmitterArguments &)
 ///       the second where parameters are places in the world; the third for area lights: one light
-///       a primitive of the shape, which outlives them. Made is L, std::optional<L>, or an optional
-///       variant of lights. Empty after an error, which is in the log with its place.
+///       a primitive of the shape. Made
+///       is L, std::optional<L>, or an optional variant of lights. Empty after an error, which is
+///       in the log with its place.
 ///   std::optional<LightLiSample> SampleLi(const LightSampleContext &, Point2f u,
 ///                                         const SampledWavelengths &) const
 ///       light from one direction, u in [0, 1)^2; nullopt where nothing arrives. Occlusion is the
@@ -129,7 +132,7 @@ struct LightTraits {
 ///       luminous flux, for choosing lights: to a factor of a few is enough, but 0 only where the
 ///       light gives nothing.
 ///   std::optional<LightBounds> Bounds() const
-///       nullopt for light from infinity; else of all that SampleLi may draw.
+///       nullopt for light from infinity; else of all that SampleLi may draw, at any time.
 template <typename L>
 concept BasicLight = PlugInType<L> && std::copyable<L> &&
     requires(const L l, const LightSampleContext &ctx, Point2f u,
@@ -145,16 +148,16 @@ concept BasicLight = PlugInType<L> && std::copyable<L> &&
 ///                     const SampledWavelengths &) const
 ///       radiance that leaves the surface at a hit (of SurfaceInteraction: p, n, uv) into the unit
 ///       direction w.
-///   float PDF_Hit(Point3f ref, Point3f p, Normal3f n) const
-///       density of SampleLi per unit solid angle for the direction from ref that meets the light's
-///       primitive at p, where its normal is n.
+///   float PDF_Hit(const LightSampleContext &, Point3f p, Normal3f n) const
+///       density of SampleLi per unit solid angle for the direction from the receiver that meets
+///       the light's primitive at p, where its normal is n.
 ///   bool ReadsUV() const
 ///       whether L looks at uv, which then are worked out.
 template <typename T>
-concept AreaLightType = requires(const T l, Point3f p, Normal3f n, Point2f uv, Vector3f w,
-                                 const SampledWavelengths &lambda) {
+concept AreaLightType = requires(const T l, const LightSampleContext &ctx, Point3f p, Normal3f n,
+                                 Point2f uv, Vector3f w, const SampledWavelengths &lambda) {
     { l.L(p, n, uv, w, lambda) } -> std::same_as<SampledSpectrum>;
-    { l.PDF_Hit(p, p, n) } -> std::same_as<float>;
+    { l.PDF_Hit(ctx, p, n) } -> std::same_as<float>;
     { l.ReadsUV() } -> std::same_as<bool>;
 };
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <concepts>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,20 +17,15 @@ struct Geometry;  // shapes/geometry.h
 
 /// A copy of an object, at rest or in motion.
 struct Instance {
-    uint32_t object;  ///< index into the objects given to the ray tracer
-    /// Keys at ray times 0 and 1.
-    std::array<Transform, 2> renderFromObject;
-    bool moving = false;
-    /// More keys between those, at equal steps of time. From key to key each matrix entry is
-    /// linear.
-    std::vector<Transform> between = {};
+    uint32_t object;                   ///< index into the objects given to the ray tracer
+    AffineTransform renderFromObject;  ///< in motion: at ray time 0
+    /// Null at rest, else more keys, one at least, at equal steps of time, the last at ray time 1.
+    /// From key to key each matrix entry is linear. (Behind a pointer: a scene may have millions.)
+    std::unique_ptr<const std::vector<Transform>> later = {};
 
-    size_t NKeys() const { return moving ? between.size() + 2 : 1; }
-    const Transform &Key(size_t i) const {
-        return i == 0               ? renderFromObject[0]
-               : i > between.size() ? renderFromObject[1]
-                                    : between[i - 1];
-    }
+    bool Moves() const { return later != nullptr; }
+    size_t NKeys() const { return Moves() ? later->size() + 1 : 1; }
+    Transform Key(size_t i) const { return i == 0 ? renderFromObject.Whole() : (*later)[i - 1]; }
 };
 
 /// Range of geometries [first, last) that an instance repeats.

@@ -63,16 +63,20 @@ void BuildLights(const SceneDescription &description, const std::vector<Emissive
                                      renderFromWorld))
             scene.lights.push_back(std::move(*light));
     }
+    LightPictures pictures;
     for (const EmissiveShape &emitter : emitters) {
         Geometry &geometry = scene.geometries[emitter.geometry];
         ParamDict params =
             Params(*emitter.areaLight, "area light", emitter.areaLight->type, description, log);
+        const Instance *const motion =
+            emitter.instance < 0 ? nullptr : &scene.instances[size_t(emitter.instance)];
         const std::optional<BilinearMesh> merged = MergedEmitter(geometry, params);
         if (merged) scene.emitterShapes.push_back(*merged);
         geometry.sharedLight = merged.has_value();
         std::vector<Light> made =
             CreateAreaLights(emitter.areaLight->type, params,
-                             merged ? scene.emitterShapes.back() : geometry.shape, geometry.alpha);
+                             {merged ? scene.emitterShapes.back() : geometry.shape, geometry.alpha,
+                              motion, &pictures});
         if (made.empty()) continue;
         // Alpha 0 everywhere: a light that is sampled but never seen.
         geometry.firstLight = int(scene.lights.size());

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "pbrt/build/places.h"
 #include "pbrt/build/render_scene.h"
 
 namespace pbrt {
@@ -29,10 +30,11 @@ FloatTexture GetAlpha(ParamDict &params, const NamedTextures &textures);
 struct EmissiveShape {
     uint32_t geometry;
     std::shared_ptr<const Entity> areaLight;
+    int instance = -1;  ///< that carries it; -1: at rest
 };
 struct BuiltShapes {
     std::vector<EmissiveShape> emitters;
-    std::vector<FileLoc> instances;  ///< places of RenderScene::instances, one each
+    Places instances;  ///< of RenderScene::instances, one each
 };
 /// Fills RenderScene::geometries (those of the top level first), objects and instances; nested
 /// instances are flattened, since the ray tracer nests them one deep only. Takes the shapes out of

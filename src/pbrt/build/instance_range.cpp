@@ -64,7 +64,7 @@ float ReachInside(const Transform &renderFromObject, const Bounds3f &ends) {
 std::optional<std::string> WhyNotPlaced(const Instance &instance, const Bounds3f &object) {
     const bool mirrored = instance.Key(0).SwapsHandedness();
     for (size_t i = 0; i < instance.NKeys(); ++i) {
-        const Transform &key = instance.Key(i);
+        const Transform key = instance.Key(i);
         if (auto why = WhyNotInverted(key)) return why;
         if (key.SwapsHandedness() != mirrored)
             return "it is mirrored at one end of its motion only, so that it would be flat on the "
@@ -77,8 +77,7 @@ std::optional<std::string> WhyNotPlaced(const Instance &instance, const Bounds3f
     return {};
 }
 
-void CheckRaysInInstances(const RenderScene &scene, std::span<const FileLoc> places,
-                          Diagnostics &log) {
+void CheckRaysInInstances(const RenderScene &scene, const Places &places, Diagnostics &log) {
     const Bounds3f ends = RayEnds(scene);
     for (size_t i = 0; i < scene.instances.size(); ++i) {
         const Instance &instance = scene.instances[i];

@@ -6,19 +6,6 @@
 namespace pbrt {
 namespace {
 
-/// Transform of a moving instance: linear between keys, entry by entry, as the ray tracer has it.
-Transform At(const Instance &instance, float time) {
-    const size_t nSteps = instance.NKeys() - 1;
-    const float at = time * float(nSteps);
-    const size_t key = std::min(size_t(at), nSteps - 1);
-    const Matrix4 &from = instance.Key(key).Matrix(), &to = instance.Key(key + 1).Matrix();
-    Matrix4 m;
-    for (int i = 0; i < 4; ++i)
-        for (int j = 0; j < 4; ++j)
-            m[i][j] = Lerp(at - float(key), from[i][j], to[i][j]);
-    return Transform::FromMatrix(m).value_or(instance.renderFromObject[0]);
-}
-
 Ray ToObject(const Transform &renderFromObject, const Ray &ray) {
     const Transform objectFromRender = renderFromObject.Inverse();
     return {objectFromRender.Point(ray.o), objectFromRender.Vector(ray.d), ray.tMax, ray.time};
@@ -32,8 +19,7 @@ SurfaceInteraction SurfaceIn(const RenderScene &scene, const Hit &hit, const Ray
     const auto placed = [&](const Transform &t) {
         return FromInstance(t, SurfaceAtWith<kWithError>(shape, hit, ToObject(t, ray)));
     };
-    const Instance &instance = scene.instances[hit.instance];
-    return instance.moving ? placed(At(instance, ray.time)) : placed(instance.renderFromObject[0]);
+    return placed(TransformAt(scene.instances[hit.instance], ray.time));
 }
 
 }  // namespace

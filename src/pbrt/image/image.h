@@ -69,8 +69,8 @@ struct ColorEncoding {
 };
 
 /// Reads EXR, PNG, JPEG, PFM, Radiance HDR, QOI and TGA, told apart by their first bytes. PNG,
-/// JPEG, QOI and TGA are decoded by `encoding` (default sRGB, alpha always linear); the others hold
-/// linear values. Channels: R G B, then A, or Y, as the file has them; those of EXR sorted by
+/// JPEG, QOI and TGA are decoded by `encoding` (default sRGB, alpha always linear), but for QOI
+/// files that say of themselves that they are linear; the others hold linear values. Channels: R G B, then A, or Y, as the file has them; those of EXR sorted by
 /// layer, in a layer R G B A or X Y Z first, the rest by name. Of an EXR file of several parts the
 /// first is read, and metadata.unread says so. An image that would need more memory than there is,
 /// is refused before any is taken.

@@ -18,9 +18,10 @@ void AddOutfile(CLI::App *app, std::string *outfile) {
     cli::AddRequired(app, "--outfile", outfile, "picture to write (.exr, .png, .pfm)");
 }
 
-void AddComparison(CLI::App *app, std::string *reference, std::string *metric) {
+void AddComparison(CLI::App *app, std::string *reference, std::string *metric,
+                   const std::string &metrics) {
     cli::AddRequired(app, "--reference", reference, "what the picture should be");
-    cli::AddText(app, "--metric", metric, "MSE (default), MAE or MRSE");
+    cli::AddText(app, "--metric", metric, metrics);
 }
 
 Outcome Remarking(const std::string &remarks, Outcome outcome) {

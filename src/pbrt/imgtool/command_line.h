@@ -15,8 +15,9 @@ void AddCrop(CLI::App *app, std::vector<int> *crop);
 void AddChannels(CLI::App *app, std::vector<std::string> *channels);
 /// `--outfile`, required.
 void AddOutfile(CLI::App *app, std::string *outfile);
-/// `--reference`, required, and `--metric`.
-void AddComparison(CLI::App *app, std::string *reference, std::string *metric);
+/// `--reference`, required, and `--metric`, which `metrics` lists.
+void AddComparison(CLI::App *app, std::string *reference, std::string *metric,
+                   const std::string &metrics = "MSE (default), MAE or MRSE");
 
 /// The outcome with remarks, lines of their own, before what it says of mistakes.
 Outcome Remarking(const std::string &remarks, Outcome outcome);

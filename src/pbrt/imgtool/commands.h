@@ -18,12 +18,19 @@ inline Outcome Failure(std::string_view reason) {
 
 Outcome Assemble(Args args);
 Outcome Average(Args args);
+Outcome Bloom(Args args);
+Outcome Cat(Args args);
 Outcome Check(Args args);
 Outcome Convert(Args args);
+Outcome Denoise(Args args);
 Outcome Diff(Args args);
 Outcome Error(Args args);
+Outcome FalseColor(Args args);
 Outcome Info(Args args);
 Outcome MakeEquiArea(Args args);
 Outcome Merge(Args args);
+Outcome ScaleNormalMap(Args args);
+Outcome SplitN(Args args);
+Outcome WhiteBalanced(Args args);
 
 }  // namespace pbrt::imgtool

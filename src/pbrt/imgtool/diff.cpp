@@ -2,6 +2,7 @@
 
 #include "pbrt/cli/options.h"
 #include "pbrt/imgtool/command_line.h"
+#include "pbrt/imgtool/flip.h"
 #include "pbrt/imgtool/metric.h"
 #include "pbrt/imgtool/pictures.h"
 #include "pbrt/imgtool/tile_scores.h"
@@ -26,7 +27,7 @@ constexpr char kDescription[] =
 
 void DefineOptions(CLI::App *app, Options *o) {
     cli::AddRequired(app, "picture", &o->file, "picture to judge");
-    AddComparison(app, &o->reference, &o->metric);
+    AddComparison(app, &o->reference, &o->metric, "MSE (default), MAE, MRSE or FLIP");
     cli::AddNumber(app, "--difftol", &o->tolerance, cli::kFromZero,
                    "largest error that passes (default 0)");
     cli::AddText(app, "--outfile", &o->outfile, "picture of the error of each value");
@@ -74,6 +75,14 @@ Outcome TestTiles(const Options &o, const Image &image, const Image &reference,
             {}};
 }
 
+/// The error of the picture and its mean; `metric`: null for FLIP.
+double ErrorOf(const Metric *metric, const Image &image, const Image &reference, Image *picture) {
+    if (metric) return MeanError(*metric, image, reference, picture);
+    *picture = Flip(image, reference);
+    picture->metadata = image.metadata;
+    return AverageValue(*picture);
+}
+
 Outcome Compare(Options o, const Metric *metric, std::string *remarks) {
     OrError<Image> image = ReadPart(o.file, o.channels, o.crop, remarks);
     OrError<Image> reference = ReadPart(o.reference, o.channels, o.crop, remarks);
@@ -87,8 +96,11 @@ Outcome Compare(Options o, const Metric *metric, std::string *remarks) {
     }
     if (auto mismatch = Mismatch(*image.value, *reference.value)) return Failure(*mismatch);
 
+    if (!metric && (image.value->ChannelNames() != std::vector<std::string>{"R", "G", "B"}))
+        return Failure("FLIP needs the channels R, G and B");
+
     Image picture;
-    const double error = MeanError(*metric, *image.value, *reference.value, &picture);
+    const double error = ErrorOf(metric, *image.value, *reference.value, &picture);
     if (!o.outfile.empty()) {
         const Outcome written = Write(picture, o.outfile, ExrPixels::Float);
         if (written.exitCode != 0) return written;
@@ -96,15 +108,16 @@ Outcome Compare(Options o, const Metric *metric, std::string *remarks) {
     if (!o.variance.empty()) return TestTiles(o, *image.value, *reference.value, remarks);
     if (error <= o.tolerance) return {};
     const double a = AverageValue(*image.value), b = AverageValue(*reference.value);
-    return {1,
-            fmt::format("{}: average {:.6g}\n{}: average {:.6g}\ndelta {:+.4f} %, {} {:.6g}\n",
-                        o.file, a, o.reference, b, 100 * (a - b) / b, metric->name, error),
-            {}};
+    return {
+        1,
+        fmt::format("{}: average {:.6g}\n{}: average {:.6g}\ndelta {:+.4f} %, {} {:.6g}\n", o.file,
+                    a, o.reference, b, 100 * (a - b) / b, metric ? metric->name : "FLIP", error),
+        {}};
 }
 
 Outcome WithOptions(Options &o) {
     const Metric *metric = MetricNamed(o.metric);
-    if (!metric) return Failure(UnknownMetric(o.metric));
+    if (!metric && !IsFlip(o.metric)) return Failure(UnknownMetric(o.metric, {"FLIP"}));
     std::string remarks;
     const Outcome outcome = Compare(std::move(o), metric, &remarks);
     return Remarking(remarks, outcome);

@@ -9,19 +9,32 @@
 
 namespace pbrt::imgtool {
 
-const Metric *MetricNamed(std::string_view name) {
+namespace {
+
+/// `name` in any case is `capitals`.
+bool Means(std::string_view name, std::string_view capitals) {
     const auto upper = [](char c) { return c >= 'a' && c <= 'z' ? char(c - 'a' + 'A') : c; };
+    return std::equal(name.begin(), name.end(), capitals.begin(), capitals.end(),
+                      [&](char a, char b) { return upper(a) == b; });
+}
+
+}  // namespace
+
+const Metric *MetricNamed(std::string_view name) {
     for (const Metric &metric : kMetrics)
-        if (std::equal(name.begin(), name.end(), metric.name.begin(), metric.name.end(),
-                       [&](char a, char b) { return upper(a) == b; }))
-            return &metric;
+        if (Means(name, metric.name)) return &metric;
     return nullptr;
 }
 
-std::string UnknownMetric(std::string_view name) {
+bool IsFlip(std::string_view name) {
+    return Means(name, "FLIP");
+}
+
+std::string UnknownMetric(std::string_view name, std::vector<std::string_view> more) {
     std::vector<std::string_view> names;
     for (const Metric &metric : kMetrics)
         names.push_back(metric.name);
+    names.insert(names.end(), more.begin(), more.end());
     return fmt::format("unknown metric \"{}\"; there are {}", name, QuotedList(names));
 }
 

@@ -3,7 +3,9 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "pbrt/image/image.h"
 
@@ -25,8 +27,10 @@ inline constexpr std::array kMetrics{
 
 /// Metric of that name, case ignored; nullptr where unknown.
 const Metric *MetricNamed(std::string_view name);
-/// `unknown metric "X"; ...` with what is allowed.
-std::string UnknownMetric(std::string_view name);
+/// True for FLIP (flip.h), which judges pixels by their neighbours.
+bool IsFlip(std::string_view name);
+/// `unknown metric "X"; ...` with what is allowed; `more`: beside kMetrics.
+std::string UnknownMetric(std::string_view name, std::vector<std::string_view> more = {});
 
 /// Mean over pixels and channels, infinite where a value is not finite. `picture`, if given, gets
 /// the error of each value. The images must match.

@@ -48,8 +48,9 @@ OrError<Image> Crop(const Image &image, const std::vector<int> &crop) {
     return {std::move(part), {}};
 }
 
-OrError<Image> Read(const std::string &fileName, std::string *remarks) {
-    OrError<Image> image = ReadImage(fileName, {}, Pipes::Taken);
+OrError<Image> Read(const std::string &fileName, std::string *remarks,
+                    std::optional<ColorEncoding> encoding) {
+    OrError<Image> image = ReadImage(fileName, encoding, Pipes::Taken);
     if (image && !image.value->metadata.unread.empty())
         *remarks += fmt::format("imgtool: {}: {}\n", fileName, image.value->metadata.unread);
     return image;

@@ -17,8 +17,10 @@ OrError<Image> SelectChannels(const Image &image, const std::vector<std::string>
 /// negative x1 or y1 being an extent. The bounds in the metadata follow.
 OrError<Image> Crop(const Image &image, const std::vector<int> &crop);
 
-/// Reads. What of the file was left unread is added to `remarks`, a line for a file.
-OrError<Image> Read(const std::string &fileName, std::string *remarks);
+/// Reads. What of the file was left unread is added to `remarks`, a line for a file. `encoding`: see
+/// ReadImage.
+OrError<Image> Read(const std::string &fileName, std::string *remarks,
+                    std::optional<ColorEncoding> encoding = {});
 
 /// Reads, selects (nothing where `channels` is empty) and crops (likewise). Errors name the file.
 OrError<Image> ReadPart(const std::string &fileName, const std::vector<std::string> &channels,

@@ -73,7 +73,7 @@ class SimplePathIntegrator {
                           ray = {sp.OffsetOrigin(d), d, Infinity, ray.time};
                           if (straight) return;
                           countsAll = !sampleLights || IsSpecular(s->flags);
-                          previous = {sp.p, {}};
+                          previous = {sp.p, {}, ray.time};
                           ++depth;
                       });
         }
@@ -87,7 +87,7 @@ class SimplePathIntegrator {
                            const Frame &frame, const BxDF &bxdf, Vector3f wo,
                            const SampledWavelengths &lambda, SamplerT *sampler,
                            RayCounts *counts) const {
-        const LightSampleContext ctx{sp.p, {}};
+        const LightSampleContext ctx{sp.p, {}, time};
         const float uLight = sampler->Get1D();
         const Point2f u = sampler->Get2D();
         const auto chosen = lightSampler.Sample(ctx, uLight);

@@ -6,7 +6,9 @@
 
 #include "pbrt/base/light.h"
 #include "pbrt/lights/emission.h"
+#include "pbrt/lights/emitter.h"
 #include "pbrt/lights/light_picture.h"
+#include "pbrt/shapes/carried.h"
 #include "pbrt/shapes/rectangle.h"
 #include "pbrt/shapes/shapes.h"
 #include "pbrt/textures/texture.h"
@@ -37,21 +39,21 @@ struct DiffuseAreaLight {
         std::optional<Rectangle> rectangle;  ///< of a shape that is just that: sampled faster
         bool invisible;  ///< alpha is 0 everywhere: light samples reach it, rays do not
         std::shared_ptr<const LightPicture> picture;  ///< null: `radiance` everywhere
+        const Instance *motion;  ///< carries the shape, which is in its own space; null: at rest
 
         SampledSpectrum Radiance(Point2f uv, const SampledWavelengths &lambda) const {
             if (!picture) return radiance.Sample(lambda);
             return picture->Sample(picture->TexelAt({uv.x, 1 - uv.y}), lambda);
         }
     };
-    /// One light per primitive of `shape`, which must outlive them. As in pbrt-v4 `power` is what
-    /// each primitive emits.
-    static std::vector<DiffuseAreaLight> Create(ParamDict &params, const Shape &shape,
-                                                const FloatTexture &alpha);
+    /// One light per primitive of the shape. As in pbrt-v4 `power` is what each primitive emits; of
+    /// one that moves, at the shutter's opening.
+    static std::vector<DiffuseAreaLight> Create(ParamDict &params, const EmitterArguments &emitter);
 
     std::optional<LightLiSample> SampleLi(const LightSampleContext &ctx, Point2f u,
                                           const SampledWavelengths &lambda) const {
         const Surface &s = *surface;
-        const std::optional<ShapeSample> at = SamplePoint(ctx.p, u);
+        const std::optional<ShapeSample> at = SamplePoint(ctx, u);
         if (!at || !(at->pdf > 0)) return std::nullopt;
         const Vector3f d = at->p - ctx.p;
         const float d2 = LengthSquared(d), cosine = -Dot(at->n, d);
@@ -63,9 +65,13 @@ struct DiffuseAreaLight {
         return LightLiSample{s.Radiance(at->uv, lambda) * strength, d * (1 / std::sqrt(d2)),
                              at->pdf, at->p + at->n * (cosine > 0 ? off : -off), s.invisible};
     }
-    float PDF_Hit(Point3f ref, Point3f p, Normal3f n) const {
-        if (surface->rectangle) return surface->rectangle->PDFFrom(ref, p);
-        return PDFFrom(*surface->shape, primitive, ref, p, n);
+    float PDF_Hit(const LightSampleContext &ctx, Point3f p, Normal3f n) const {
+        const Surface &s = *surface;
+        if (s.rectangle) return s.rectangle->PDFFrom(ctx.p, p);
+        if (s.motion) [[unlikely]]
+            return PDFFromCarried(*s.shape, primitive, TransformAt(*s.motion, ctx.time), ctx.p, p,
+                                  n);
+        return PDFFrom(*s.shape, primitive, ctx.p, p, n);
     }
     SampledSpectrum L(Point3f, Normal3f n, Point2f uv, Vector3f w,
                       const SampledWavelengths &lambda) const {
@@ -109,13 +115,19 @@ struct DiffuseAreaLight {
         return surface->rectangle && !surface->picture && alpha.IsConstant() &&
                alpha.Constant() == 1;
     }
-    std::optional<ShapeSample> SamplePoint(Point3f ref, Point2f u) const {
-        if (!surface->rectangle) return SampleFrom(*surface->shape, primitive, ref, u);
-        const Rectangle &r = *surface->rectangle;
-        const Rectangle::Sample s = r.SampleFrom(ref, u);
+    std::optional<ShapeSample> SamplePoint(const LightSampleContext &ctx, Point2f u) const {
+        const Surface &on = *surface;
+        if (on.motion) [[unlikely]]
+            return SampleFromCarried(*on.shape, primitive, TransformAt(*on.motion, ctx.time), ctx.p,
+                                     u);
+        if (!on.rectangle) return SampleFrom(*on.shape, primitive, ctx.p, u);
+        const Rectangle &r = *on.rectangle;
+        const Rectangle::Sample s = r.SampleFrom(ctx.p, u);
         return ShapeSample{s.p, r.Error(), r.Normal(), s.uv, s.pdf};
     }
     float Opacity(const ShapeSample &at) const;
+    /// Of the primitive, at the shutter's opening.
+    float EmittingArea() const;
 };
 
 inline void DiffuseAreaLight::SampleRectangles(const LightsOf<DiffuseAreaLight> &light,

@@ -98,15 +98,15 @@ std::optional<Light> CreateLight(std::string_view type, ParamDict &params,
     return light;
 }
 
-std::vector<Light> CreateAreaLights(std::string_view type, ParamDict &params, const Shape &shape,
-                                    const FloatTexture &alpha) {
+std::vector<Light> CreateAreaLights(std::string_view type, ParamDict &params,
+                                    const EmitterArguments &emitter) {
     std::vector<Light> lights;
     bool found = false;
     LightTypes::ForEach([&]<typename L>() {
         if constexpr (L::kTraits.isArea) {
             if (found || L::kName != type) return;
             found = true;
-            const std::vector<L> made = L::Create(params, shape, alpha);
+            const std::vector<L> made = L::Create(params, emitter);
             lights.assign(made.begin(), made.end());
         }
     });

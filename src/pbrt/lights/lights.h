@@ -32,10 +32,10 @@ static_assert(LightTypes::All([]<typename L>() { return LightContract<L>::value;
 std::optional<Light> CreateLight(std::string_view type, ParamDict &params,
                                  const Transform &renderFromLight,
                                  const Transform &renderFromWorld = Transform());
-/// Makes the lights of `AreaLightSource "type"` on a shape, which must outlive them: one per
-/// primitive, in order. `alpha`: the shape's. Empty after an error.
-std::vector<Light> CreateAreaLights(std::string_view type, ParamDict &params, const Shape &shape,
-                                    const FloatTexture &alpha = 1.f);
+/// Makes the lights of `AreaLightSource "type"` on a shape: one per
+/// primitive, in order. Empty after an error.
+std::vector<Light> CreateAreaLights(std::string_view type, ParamDict &params,
+                                    const EmitterArguments &emitter);
 
 /// Names of the types that a scene may use, each once.
 std::vector<std::string_view> LightNames();
@@ -58,7 +58,7 @@ std::optional<LightLiSample> SampleLi(const Light &light, const LightSampleConte
 /// normal is n; 0 for other lights.
 inline float PDF_Hit(const Light &light, const LightSampleContext &ctx, Point3f p, Normal3f n) {
     return Dispatch(light, [&]<typename T>(const T &l) -> float {
-        if constexpr (T::kTraits.isArea) return l.PDF_Hit(ctx.p, p, n);
+        if constexpr (T::kTraits.isArea) return l.PDF_Hit(ctx, p, n);
         return 0;
     });
 }

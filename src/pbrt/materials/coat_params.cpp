@@ -47,7 +47,11 @@ CoatParams CoatParams::Get(ParamDict &params, const NamedTextures &named, const 
     GetFloatTexture(params, named, kG);
     const SpectrumTexture albedo = GetSpectrumTexture(params, named, kAlbedo);
     if (!albedo.IsConstant() || albedo.Constant().MaxValue() > 0)
-        params.Error(kAlbedo.name, "a coat that scatters is not supported: \"albedo\" must be 0");
+        params.Error(
+            kAlbedo.name,
+            "a coat that scatters is not supported: \"albedo\" must be 0. Leave it out and give "
+            "the "
+            "base the color that both show, or \"mix\" it with \"diffuse\" of the coat's color");
     params.GetOneInt(kMaxDepth);
     params.GetOneInt(kNSamples);
     return coat;

@@ -124,7 +124,15 @@ void AddWatching(CLI::App *app, Arguments *a) {
     cli::AddText(app, "--explain", &a->explain,
                  "print the parameters of a plug-in, as of \"material hair\", or the names of a "
                  "family, as \"material\"; all: everything as Markdown");
-    cli::AddFlag(app, "--quiet", &a->quiet, "no progress, no warnings");
+}
+
+void AddRewriting(CLI::App *app, Arguments *a) {
+    cli::AddFlag(app, "--format", &a->format, "print the scene files anew, well laid out");
+    cli::AddFlag(
+        app, "--toply", &a->toPly,
+        "the same, with triangle meshes of 500 indices or more in PLY files beside the scene");
+    cli::AddFlag(app, "--upgrade", &a->upgrade,
+                 "print the scene files, of pbrt-v3, as pbrt-v4 has them");
 }
 
 }  // namespace
@@ -141,6 +149,8 @@ void DefineOptions(CLI::App *app, Arguments *a) {
                  "FILE");
     AddHowToRender(app, a);
     AddWatching(app, a);
+    AddRewriting(app, a);
+    cli::AddFlag(app, "--quiet", &a->quiet, "no progress, no warnings");
     cli::AddFooter(app,
                    "examples:\n"
                    "  pbrt scene.pbrt --spp 64 --outfile picture.exr\n"

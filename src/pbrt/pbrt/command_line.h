@@ -32,6 +32,7 @@ struct Arguments {
     CheckpointOption checkpoint;
     std::optional<FrameRange> frames;
     bool stats = false, quiet = false, writePartialImages = false;
+    bool format = false, toPly = false, upgrade = false;
     // As written; TakeWritten puts them into `overrides`. Nothing, or 0: not given.
     std::vector<float> crop;
     std::vector<int> bounds, pixel;

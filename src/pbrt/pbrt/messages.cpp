@@ -28,14 +28,19 @@ void Print(const Diagnostics &log, bool quiet) {
     constexpr size_t kMost = 50;
     const bool color = isatty(STDERR_FILENO) != 0;
     const bool errorsOnly = quiet || (log.HasErrors() && log.Messages().size() > kMost);
-    size_t count = 0;
+    size_t shown = 0, more = 0;
     for (const Message *m : log.InOrderOfPlace()) {
         const bool error = m->severity == Severity::Error;
-        if ((errorsOnly && !error) || ++count > kMost) continue;
+        if (quiet && !error) continue;
+        if ((errorsOnly && !error) || shown == kMost) {
+            ++more;
+            continue;
+        }
+        ++shown;
         Say(fmt::format("{}{}{}: {}\n", color ? (error ? "\033[1;31m" : "\033[1;33m") : "",
                         error ? "Error" : "Warning", color ? "\033[0m" : "", m->text));
     }
-    if (count > kMost) Say(fmt::format("... and {} more messages like these.\n", count - kMost));
+    if (more > 0) Say(fmt::format("... and {} more messages.\n", more));
     for (const std::string &line : log.MissingFiles())
         Say(line + ".\n");
 }

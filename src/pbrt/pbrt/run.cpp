@@ -6,6 +6,7 @@
 #include "pbrt/pbrt/frame.h"
 #include "pbrt/pbrt/messages.h"
 #include "pbrt/reference/explain.h"
+#include "pbrt/rewrite/rewrite.h"
 #include "pbrt/scene/frame_text.h"
 #include "pbrt/util/say.h"
 
@@ -16,6 +17,20 @@ cli::Outcome Explain(const std::string &what) {
     const reference::Explanation explanation = reference::Explain(what);
     if (explanation.error.empty()) return {kSuccess, explanation.text, {}};
     return {kUserError, {}, fmt::format("Error: {}\n", explanation.error)};
+}
+
+/// New text of the scene files on standard output.
+cli::Outcome Rewrite(const Arguments &a) {
+    Diagnostics log;
+    if (a.format + a.toPly + a.upgrade > 1)
+        log.Error({}, "--format, --toply and --upgrade exclude each other");
+    const auto task = a.upgrade ? rewrite::Task::Upgrade
+                      : a.toPly ? rewrite::Task::ToPly
+                                : rewrite::Task::Format;
+    const std::string text =
+        log.HasErrors() ? std::string() : rewrite::RewriteFiles(a.files, task, log);
+    Print(log, a.quiet);
+    return {log.HasErrors() ? kUserError : kSuccess, text, {}};
 }
 
 /// Combinations that have no meaning; nullopt where there are none.
@@ -64,6 +79,7 @@ int RenderFrames(const Arguments &all, const std::optional<std::string> &remark)
 
 cli::Outcome Run(Arguments &a) {
     if (!a.explain.empty()) return Explain(a.explain);
+    if (a.format || a.toPly || a.upgrade) return Rewrite(a);
     TakeWritten(&a);
     if (const auto why = Contradiction(a)) return {Complain(*why), {}, {}};
     const cli::Threads threads = cli::LimitThreads(a.overrides.nThreads);

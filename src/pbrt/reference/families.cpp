@@ -76,7 +76,7 @@ constexpr std::array kFamilies{
         [](std::string_view type, ParamDict &params) { CreateLight(type, params, Transform()); }},
     Family{
         "area light", "AreaLightSource", [] { return AreaLightNames(); },
-        [](std::string_view type, ParamDict &params) { CreateAreaLights(type, params, Sphere()); }},
+        [](std::string_view type, ParamDict &params) { CreateAreaLights(type, params, {Sphere()}); }},
     Family{"material", "Material", [] { return MaterialNames(); }, CreateNamedMaterial},
     Family{"float texture", "Texture \"name\" \"float\"", [] { return From(TextureTypes::kNames); },
            [](std::string_view type, ParamDict &params) { CreateTexture(type, params, true); }},

@@ -147,7 +147,7 @@ void SceneBuilder::ObjectEnd(const FileLoc &loc) {
 
 void SceneBuilder::ObjectInstance(const std::string &name, const FileLoc &loc) {
     if (IsFlat()) return;
-    (object ? object->instances : scene->instances).push_back({name, loc, state.ctm});
+    (object ? object->instances : scene->instances).Append({name, loc, state.ctm});
 }
 
 // --- Entities ---
@@ -178,8 +178,6 @@ void SceneBuilder::Shape(Entity shape) {
     if (state.areaLight && object)
         log->Warning(s.loc,
                      "area lights are not instanced: this shape of an object does not shine");
-    else if (state.areaLight && IsMoving())
-        log->Error(s.loc, "a moving shape cannot be an area light");
     else
         s.areaLight = state.areaLight;
     (object ? object->shapes : scene->shapes).Append(s);

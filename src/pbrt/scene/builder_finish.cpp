@@ -18,6 +18,19 @@ std::vector<std::string_view> Names(const Map &map) {
     return names;
 }
 
+/// Takes out the uses that `keep`, asked once for each, in order, refuses.
+template <typename F>
+void KeepIf(PackedEntities<InstanceUse> &uses, F keep) {
+    std::vector<bool> kept;
+    for (const InstanceUse &use : uses)
+        kept.push_back(keep(use));
+    if (std::find(kept.begin(), kept.end(), false) == kept.end()) return;
+    PackedEntities<InstanceUse> left;
+    for (const bool k : kept)
+        if (const InstanceUse &use = uses.Take(); k) left.Append(use);
+    uses = std::move(left);
+}
+
 /// Deepest nesting of objects: code that goes through objects inside objects recurs for each level.
 constexpr int kMostLevels = 1000;
 
@@ -32,18 +45,18 @@ class InstanceCycles {
         if (known != levels.end()) return known->second;
         above.insert(name);
         int deepest = 0;
-        std::erase_if(scene->objects.at(name).instances, [&](const InstanceUse &use) {
+        KeepIf(scene->objects.at(name).instances, [&](const InstanceUse &use) {
             if (above.contains(use.name)) {
                 log->Error(use.loc, fmt::format("object \"{}\" contains itself", use.name));
-                return true;
+                return false;
             }
             const int inner = int(above.size()) < kMostLevels ? Visit(use.name) : kMostLevels;
             if (inner < kMostLevels) {
                 deepest = std::max(deepest, inner);
-                return false;
+                return true;
             }
             log->Error(use.loc, fmt::format("objects are nested more than {} deep", kMostLevels));
-            return true;
+            return false;
         });
         above.erase(name);
         return levels[name] = 1 + deepest;
@@ -86,13 +99,13 @@ void SceneBuilder::CheckMaterialUses() {
 void SceneBuilder::CheckInstanceUses() {
     const std::vector<std::string_view> known = Names(scene->objects);
     std::set<std::string> reported;
-    const auto keepDefined = [&](std::vector<InstanceUse> &uses) {
-        std::erase_if(uses, [&](const InstanceUse &use) {
-            if (scene->objects.contains(use.name)) return false;
+    const auto keepDefined = [&](PackedEntities<InstanceUse> &uses) {
+        KeepIf(uses, [&](const InstanceUse &use) {
+            if (scene->objects.contains(use.name)) return true;
             if (reported.insert(use.name).second)
                 log->Error(use.loc, fmt::format("object \"{}\" is not defined{}", use.name,
                                                 DidYouMean(use.name, known)));
-            return true;
+            return false;
         });
     };
     keepDefined(scene->instances);

@@ -27,17 +27,11 @@ struct NamedMaterialEntity : Entity {
     std::string name;
 };
 
-struct InstanceUse {
-    std::string name;
-    FileLoc loc;
-    TransformPair worldFromInstance;
-};
-
 /// ObjectBegin ... ObjectEnd: shapes in world coordinates of the definition, and nested uses.
 struct ObjectEntity {
     FileLoc loc;
     PackedEntities<ShapeEntity> shapes;
-    std::vector<InstanceUse> instances;
+    PackedEntities<InstanceUse> instances;
 };
 
 /// Values that `Option` and the command line set; the file's win (PBRT_FORMAT 1.3).
@@ -70,7 +64,7 @@ struct SceneDescription {
     std::vector<LightEntity> lights;
     PackedEntities<ShapeEntity> shapes;
     std::map<std::string, ObjectEntity> objects;
-    std::vector<InstanceUse> instances;
+    PackedEntities<InstanceUse> instances;
     Options options;
     std::string dir;                    ///< folder of the last top-level scene file
     std::deque<std::string> fileNames;  ///< names that FileLoc::file points into

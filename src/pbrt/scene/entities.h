@@ -28,4 +28,11 @@ struct ShapeEntity : Entity {
     std::shared_ptr<const Entity> areaLight;  ///< null where none
 };
 
+/// ObjectInstance.
+struct InstanceUse {
+    std::string name;
+    FileLoc loc;
+    TransformPair worldFromInstance;
+};
+
 }  // namespace pbrt

@@ -8,6 +8,8 @@ namespace {
 /// Kinds of values that a parameter has, and whether they are inherited.
 enum : uint8_t { Floats, Ints, Strings, Bools, MayBeUnused = 4 };
 
+constexpr std::array<float, 4> kAffineRow{0, 0, 0, 1};
+
 enum : uint8_t { SameTransform = 1, Moves = 2, Reversed = 4, Shines = 8 };
 
 }  // namespace
@@ -32,9 +34,16 @@ class EntitySerializer::Writer {
     void Raw(const T *values, size_t count) {
         to->append(reinterpret_cast<const char *>(values), count * sizeof(T));
     }
+    /// Without the last rows where they are (0, 0, 0, 1).
     void Transformation(const Transform &t) {
-        Raw(&t.Matrix(), 1);
-        Raw(&t.InverseMatrix(), 1);
+        const bool affine = t.Matrix()[3] == kAffineRow && t.InverseMatrix()[3] == kAffineRow;
+        Byte(affine);
+        Raw(t.Matrix().data(), affine ? 3 : 4);
+        Raw(t.InverseMatrix().data(), affine ? 3 : 4);
+    }
+    void Motion(const TransformPair &t, bool moves) {
+        Transformation(t[0]);
+        if (moves) Transformation(t[1]);
     }
 
   private:
@@ -74,10 +83,16 @@ class EntitySerializer::Reader {
         from->remove_prefix(count * sizeof(T));
     }
     Transform Transformation() {
+        const size_t rows = Byte() ? 3 : 4;
         Matrix4 m, inverse;
-        Raw(&m, 1);
-        Raw(&inverse, 1);
+        m[3] = inverse[3] = kAffineRow;
+        Raw(m.data(), rows);
+        Raw(inverse.data(), rows);
         return Transform::FromMatrixPair(m, inverse);
+    }
+    void Motion(bool moves, TransformPair *t) {
+        (*t)[0] = Transformation();
+        (*t)[1] = moves ? Transformation() : (*t)[0];
     }
 
   private:
@@ -180,8 +195,7 @@ void EntitySerializer::Write(const ShapeEntity &s, std::string *bytes) {
     const bool same = t == lastTransform, moves = t[0] != t[1];
     out.Byte(uint8_t((same ? SameTransform : 0) | (moves ? Moves : 0) |
                      (s.reverseOrientation ? Reversed : 0) | (s.areaLight ? Shines : 0)));
-    if (!same) out.Transformation(t[0]);
-    if (!same && moves) out.Transformation(t[1]);
+    if (!same) out.Motion(t, moves);
     lastTransform = t;
     out.Signed(s.material);
     out.Text(s.namedMaterial);
@@ -193,14 +207,28 @@ void EntitySerializer::Read(std::string_view *bytes, ShapeEntity *s) const {
     Reader in(bytes);
     const uint8_t flags = in.Byte();
     TransformPair &t = s->worldFromObject;
-    if (!(flags & SameTransform)) {
-        t[0] = in.Transformation();
-        t[1] = flags & Moves ? in.Transformation() : t[0];
-    }
+    if (!(flags & SameTransform)) in.Motion(flags & Moves, &t);
     s->reverseOrientation = flags & Reversed;
     s->material = int(in.Signed());
     s->namedMaterial = in.Text();
     s->areaLight = flags & Shines ? areaLights[in.Number()] : nullptr;
+}
+
+void EntitySerializer::Write(const InstanceUse &use, std::string *bytes) {
+    Writer out(bytes);
+    out.Text(use.name);
+    WriteLocation(use.loc, {}, out);
+    const bool moves = use.worldFromInstance[0] != use.worldFromInstance[1];
+    out.Byte(moves);
+    out.Motion(use.worldFromInstance, moves);
+}
+
+void EntitySerializer::Read(std::string_view *bytes, InstanceUse *use) const {
+    Reader in(bytes);
+    use->name = in.Text();
+    use->loc = ReadPlace({}, in);
+    const bool moves = in.Byte();
+    in.Motion(moves, &use->worldFromInstance);
 }
 
 }  // namespace pbrt

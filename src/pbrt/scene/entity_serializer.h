@@ -10,17 +10,20 @@
 namespace pbrt {
 
 /// Turns entities into bytes and back: a sphere takes some 40 where the object and its parameter
-/// fill 700. Bytes are read by the packer that wrote them, in the order of writing.
+/// fill 700, an instance 110. Bytes are read by the packer that wrote them, in the order of
+/// writing.
 class EntitySerializer {
   public:
     // Appended to `bytes`.
     void Write(const Entity &e, std::string *bytes);
     void Write(const ShapeEntity &s, std::string *bytes);
+    void Write(const InstanceUse &use, std::string *bytes);
 
-    // From the front of `bytes`, which moves on. `e`, `s` hold the entity read before (at first a
-    // new one): what both have in common stays, and so does the memory of parameters.
+    // From the front of `bytes`, which moves on. `e`, `s`, `use` hold the entity read before (at
+    // first a new one): what both have in common stays, and so does the memory of parameters.
     void Read(std::string_view *bytes, Entity *e) const;
     void Read(std::string_view *bytes, ShapeEntity *s) const;
+    void Read(std::string_view *bytes, InstanceUse *use) const;
 
   private:
     class Writer;

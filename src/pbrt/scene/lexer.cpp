@@ -57,6 +57,7 @@ Lexer::Lexer(std::string_view text, std::string_view file, Diagnostics *log)
       next(begin),
       end(begin + text.size()),
       tokenStart(begin),
+      lastEnd(begin),
       lineStart(begin),
       file(file),
       log(log) {
@@ -67,6 +68,7 @@ Lexer::Lexer(std::string_view text, std::string_view file, Diagnostics *log)
 
 void Lexer::Advance() {
     lastLine = token.line;
+    lastEnd = next;
     SkipBlanks();
     tokenStart = next;
     token.line = line;

@@ -37,6 +37,10 @@ class Lexer {
     void Advance();
     /// True where the token not yet consumed is the first on its line.
     bool AtLineStart() const { return token.line > lastLine; }
+    /// The token not yet consumed as it is written, quotes and escapes included.
+    std::string_view Written() const { return {tokenStart, size_t(next - tokenStart)}; }
+    /// Blanks and comments between it and the token before; not after ReadShortNumbers().
+    std::string_view Before() const { return {lastEnd, size_t(tokenStart - lastEnd)}; }
     /// Consumes the plain short numbers (ParseShortDecimal) that follow, appending them to
     /// `numbers`; stops at any other token. A short cut past the tokens for long lists.
     void ReadShortNumbers(std::vector<float> *numbers);
@@ -60,6 +64,7 @@ class Lexer {
     const char *const begin;
     const char *next, *end;
     const char *tokenStart;
+    const char *lastEnd;    ///< of the token consumed last
     const char *lineStart;  ///< moved on by one for every UTF-8 continuation byte of the line
     int line = 1;
     int lastLine = 0;  ///< of the token consumed last

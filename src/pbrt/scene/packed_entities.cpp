@@ -42,5 +42,6 @@ size_t PackedEntities<E>::Bytes() const {
 
 template class PackedEntities<Entity>;
 template class PackedEntities<ShapeEntity>;
+template class PackedEntities<InstanceUse>;
 
 }  // namespace pbrt

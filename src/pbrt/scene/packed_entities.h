@@ -9,7 +9,7 @@
 namespace pbrt {
 
 /// Entities in file order, packed: a scene may have millions. They are read one after the other;
-/// those taken off the front give their memory back. E: Entity or ShapeEntity.
+/// those taken off the front give their memory back. E: Entity, ShapeEntity or InstanceUse.
 template <typename E>
 class PackedEntities {
   public:

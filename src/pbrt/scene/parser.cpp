@@ -33,6 +33,24 @@ std::string CanonicalPath(const std::string &path) {
     return unknown ? path : canonical.string();
 }
 
+/// Reports that `use` names a file that is not there, or returns false. Some scenes come with a
+/// script that makes files.
+bool ReportMissing(const std::string &path, const std::string &name, const std::string &dir,
+                   const FileLoc &use, Diagnostics *log) {
+    std::error_code unknown;
+    if (std::filesystem::status(path, unknown).type() != std::filesystem::file_type::not_found)
+        return false;
+    log->MissingFile(use, name, dir);
+    const std::string folder = FolderOf(use.file);
+    const std::string script = folder.empty() ? "generate.sh" : folder + "/generate.sh";
+    if (std::filesystem::exists(script, unknown))
+        log->Warning(use,
+                     fmt::format("{} may make it: run that with the folder of the programs, or "
+                                 "render.sh",
+                                 script));
+    return true;
+}
+
 }  // namespace
 
 Parser::Parser(SceneDescription *scene, Diagnostics *log)
@@ -74,14 +92,13 @@ void Parser::ReportOld() {
     for (const auto &[old, loc] : log->OldNames()) {
         const bool isPlugIn = old->kind != "directive" && !old->kind.ends_with(" type");
         if (isPlugIn)
-            log->Error(loc, fmt::format("{} \"{}\": pbrt-v4 calls it \"{}\"", old->kind, old->was,
-                                        old->is));
+            log->Error(loc, fmt::format("{} \"{}\": {}", old->kind, old->was, CalledNow(*old)));
         names += fmt::format("{}{} -> {}", names.empty() ? "" : ", ", old->was,
                              old->is.empty() ? "nothing" : old->is);
     }
     log->Error({open[0].shown, 0, 0},
-               fmt::format("this is a scene for pbrt-v3 or older: \"pbrt --upgrade\" of pbrt-v4 "
-                           "rewrites it ({})",
+               fmt::format("this is a scene for pbrt-v3 or older: \"pbrt --upgrade old.pbrt > "
+                           "new.pbrt\" rewrites it ({})",
                            names));
 }
 
@@ -167,7 +184,7 @@ void Parser::ReadNested(const std::string &name, const FileLoc &use) {
     const OpenFile file{path == "-" ? "<stdin>" : path, CanonicalPath(path)};
     for (const OpenFile &f : open)
         if (f.identity == file.identity) return ReportCycle(file, use);
-    if (!MayInclude(use)) return;
+    if (!MayInclude(use) || (path != "-" && ReportMissing(path, name, dir, use, log))) return;
     const std::optional<std::string> text = ReadFileContents(path, Pipes::Refused, use, *log);
     if (!text) return;
     open.push_back(file);

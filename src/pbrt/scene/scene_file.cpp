@@ -60,18 +60,6 @@ int InflateMember(z_stream &z, std::string_view &in, size_t packed, std::string 
     return status;
 }
 
-/// More to say about a file that cannot be read: some scenes come with a script that makes files.
-std::string HintAtGenerator(const std::string &path, const FileLoc &use) {
-    namespace fs = std::filesystem;
-    std::error_code unknown;
-    if (use.file.empty() || fs::exists(path, unknown)) return {};
-    const std::string folder = FolderOf(use.file);
-    const std::string script = folder.empty() ? "generate.sh" : folder + "/generate.sh";
-    if (!fs::exists(script, unknown)) return {};
-    return fmt::format("; {} may make it: run that with the folder of the programs, or render.sh",
-                       script);
-}
-
 }  // namespace
 
 std::optional<std::string> Gunzip(std::string_view in, std::string &why) {
@@ -107,9 +95,7 @@ std::optional<std::string> ReadFileContents(const std::string &path, Pipes pipes
             file.reason = "there is not enough memory for it";
         }
     }
-    if (!file.bytes)
-        log.Error(use, fmt::format("cannot read \"{}\": {}{}", path, file.reason,
-                                   HintAtGenerator(path, use)));
+    if (!file.bytes) log.Error(use, fmt::format("cannot read \"{}\": {}", path, file.reason));
     return std::move(file.bytes);
 }
 

@@ -1,9 +1,27 @@
 #pragma once
 
+#include <algorithm>
+
+#include "pbrt/base/ray_tracer.h"
 #include "pbrt/base/surface_interaction.h"
 #include "pbrt/shapes/rounding.h"
 
 namespace pbrt {
+
+/// Transform of an instance at a ray's time: linear between keys, entry by entry, as the ray tracer
+/// has it.
+inline Transform TransformAt(const Instance &instance, float time) {
+    if (!instance.Moves()) return instance.Key(0);
+    const size_t nSteps = instance.NKeys() - 1;
+    const float at = time * float(nSteps);
+    const size_t key = std::min(size_t(at), nSteps - 1);
+    const Matrix4 from = instance.Key(key).Matrix(), to = instance.Key(key + 1).Matrix();
+    Matrix4 m;
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 4; ++j)
+            m[i][j] = Lerp(at - float(key), from[i][j], to[i][j]);
+    return Transform::FromMatrix(m).value_or(instance.Key(0));
+}
 
 /// A surface point of an instance's object, in rendering space. pError grows by the transform's
 /// rounding and by that of the way back, which a spawned ray's origin takes before it is

@@ -168,7 +168,7 @@ std::string UnknownName(std::string_view kind, std::string_view name,
     if (const std::string upstream = PbrtHasIt(kind, name); !upstream.empty())
         return fmt::format("{} \"{}\": {}", kind, name, upstream);
     if (const OldName *const old = FindOldName(kind, name))
-        return fmt::format("unknown {} \"{}\"; pbrt-v4 calls it \"{}\"", kind, name, old->is);
+        return fmt::format("unknown {} \"{}\"; {}", kind, name, CalledNow(*old));
     const std::string hint = DidYouMean(name, known);
     return fmt::format("unknown {} \"{}\"{} Known: {}", kind, Shortened(name),
                        hint.empty() ? "." : hint, QuotedList(known));

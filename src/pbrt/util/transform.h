@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "pbrt/util/matrix.h"
@@ -67,5 +68,32 @@ class Transform {
     static constexpr Matrix4 kIdentity{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
     Matrix4 m = kIdentity, mInv = kIdentity;
 };
+
+/// An affine Transform in three quarters of its memory.
+class AffineTransform {
+  public:
+    using Rows = std::array<std::array<float, 4>, 3>;
+
+    AffineTransform() : AffineTransform(Transform()) {}
+    /// The last row of t's matrices is (0, 0, 0, 1), see IsAffine.
+    explicit AffineTransform(const Transform &t) {
+        for (size_t i = 0; i < 3; ++i)
+            m[i] = t.Matrix()[i], mInv[i] = t.InverseMatrix()[i];
+    }
+    const Rows &InverseRows() const { return mInv; }
+    Transform Whole() const {
+        constexpr std::array<float, 4> last{0, 0, 0, 1};
+        return Transform::FromMatrixPair({{m[0], m[1], m[2], last}},
+                                         {{mInv[0], mInv[1], mInv[2], last}});
+    }
+
+  private:
+    Rows m, mInv;
+};
+
+inline bool IsAffine(const Transform &t) {
+    constexpr std::array<float, 4> last{0, 0, 0, 1};
+    return t.Matrix()[3] == last && t.InverseMatrix()[3] == last;
+}
 
 }  // namespace pbrt

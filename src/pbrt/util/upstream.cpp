@@ -22,6 +22,11 @@ constexpr std::array kNames{
     UpstreamName{"material", "measured",
                  "Use \"conductor\" or \"coateddiffuse\" with a color like it"},
     UpstreamName{"material", "subsurface", "Use \"coateddiffuse\" with the color that it shows"},
+    UpstreamName{
+        "material \"coatedconductor\"", "albedo",
+        "A coat that scatters is refused: \"mix\" it with \"diffuse\" of the coat's color"},
+    UpstreamName{"material \"coateddiffuse\"", "albedo",
+                 "A coat that scatters is refused: give the base the color that both show"},
     UpstreamName{"texture class", "bilerp", "Use \"imagemap\" with a picture of 2 x 2 pixels"},
     UpstreamName{"texture class", "marble", "Use \"imagemap\" with a picture of it"},
     UpstreamName{"texture class", "windy", "Use \"fbm\" or \"imagemap\""},
@@ -29,7 +34,6 @@ constexpr std::array kNames{
     UpstreamName{"option of pbrt", "disableimagetextures",
                  "Use textures of the class \"constant\""},
     UpstreamName{"option of pbrt", "displacementedgescale", "Use \"edgelength\" of the shape"},
-    UpstreamName{"option of pbrt", "format", ""},
     UpstreamName{"option of pbrt", "fullscreen", "Use --display-server with a viewer such as tev"},
     UpstreamName{"option of pbrt", "gpu",
                  "The processor renders, sixteen paths at a time: leave it out"},
@@ -39,18 +43,10 @@ constexpr std::array kNames{
     UpstreamName{"option of pbrt", "loglevel", "Use --quiet, or nothing"},
     UpstreamName{"option of pbrt", "logutilization", "Use --stats"},
     UpstreamName{"option of pbrt", "pixelmaterial", "Use --pixel x,y with the film \"gbuffer\""},
-    UpstreamName{"option of pbrt", "toply", ""},
-    UpstreamName{"option of pbrt", "upgrade", ""},
     UpstreamName{"option of pbrt", "wavefront",
                  "Paths are traced in batches as it is: leave it out"},
-    UpstreamName{"command of imgtool", "bloom", ""},
-    UpstreamName{"command of imgtool", "cat", "Use \"info\""},
-    UpstreamName{"command of imgtool", "falsecolor", ""},
     UpstreamName{"command of imgtool", "makeemitters", ""},
     UpstreamName{"command of imgtool", "makesky", ""},
-    UpstreamName{"command of imgtool", "scalenormalmap", ""},
-    UpstreamName{"command of imgtool", "splitn", ""},
-    UpstreamName{"command of imgtool", "whitebalance", ""},
 };
 
 constexpr std::array kOldNames{
@@ -60,6 +56,7 @@ constexpr std::array kOldNames{
     OldName{"sampler", "lowdiscrepancy", "paddedsobol"},
     OldName{"sampler", "maxmindist", "pmj02bn"},
     OldName{"sampler", "random", "independent"},
+    OldName{"area light", "area", "diffuse"},
     OldName{"integrator", "directlighting", "path"},
     OldName{"integrator", "whitted", "path"},
     OldName{"material", "disney", "diffuse"},
@@ -102,6 +99,12 @@ std::string PbrtHasIt(std::string_view kind, std::string_view name) {
         return text;
     }
     return {};
+}
+
+std::string CalledNow(const OldName &old) {
+    std::string text = "pbrt-v4 calls it \"" + std::string(old.is) + '"';
+    if (!PbrtHasIt(old.kind, old.is).empty()) text += ", which is not built here";
+    return text;
 }
 
 const OldName *FindOldName(std::string_view kind, std::string_view name) {

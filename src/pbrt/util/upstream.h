@@ -27,6 +27,8 @@ struct OldName {
     std::string_view was;
     std::string_view is;  ///< empty: pbrt-v4 does without
 };
+/// For messages: `pbrt-v4 calls it "x"`, and of what is not built here, that too.
+std::string CalledNow(const OldName &old);
 /// nullptr where the name is none of these, as where pbrt-v4 has it, too.
 const OldName *FindOldName(std::string_view kind, std::string_view name);
 

@@ -31,7 +31,7 @@ struct PathPacket {
     PathState At(int i) const {
         return {{Lane(o, i), Lane(d, i), Infinity, time[i]},
                 beta[size_t(i)],
-                {Lane(p, i), Lane(ns, i)},
+                {Lane(p, i), Lane(ns, i), time[i]},
                 bsdfPDF[i]};
     }
 };

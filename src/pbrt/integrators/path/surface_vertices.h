@@ -161,7 +161,7 @@ class SurfaceVertices {
     }
 
     void SampleLights() {
-        const LightSampleContextX16 ctx{sp.p, litSide};
+        const LightSampleContextX16 ctx{sp.p, litSide, path.time};
         LightLiSamples ls;
         const FloatX16 pmf = ChooseLights(ctx, &ls);
         const Vector3fX16 wi = frame.ToLocal(ls.wi);
