@@ -2,7 +2,7 @@
 # folder of the repository.
 
 packages=(cmake g++ ninja-build ccache libembree-dev libtbb-dev libopenexr-dev zlib1g-dev
-  libpng-dev libjpeg-dev libfmt-dev libcli11-dev libgtest-dev libgmock-dev
+  libxxhash-dev libpng-dev libjpeg-dev libfmt-dev libcli11-dev libgtest-dev libgmock-dev
   nlohmann-json3-dev pkg-config libcairo2-dev fonts-dejavu-core)
 
 say() { printf '%s\n' "$*" >&2; }

@@ -45,10 +45,12 @@ constexpr char kScene[] =
 
 /// What every program and command can be asked for its options by.
 const std::vector<std::string> kCommands{
-    "pbrt",          "imgtool average",  "imgtool check", "imgtool convert",
-    "imgtool diff",  "imgtool error",    "imgtool info",  "imgtool makeequiarea",
-    "bsdftool eval", "bsdftool furnace", "bsdftool plot", "bsdftool spectrum",
-    "feathergen",    "feathergen neck"};
+    "pbrt",           "imgtool assemble",  "imgtool average",
+    "imgtool check",  "imgtool convert",   "imgtool diff",
+    "imgtool error",  "imgtool info",      "imgtool makeequiarea",
+    "imgtool merge",  "bsdftool eval",     "bsdftool furnace",
+    "bsdftool plot",  "bsdftool spectrum", "feathergen",
+    "feathergen neck"};
 
 TEST_F(ProgramOptions, NoCommandIsForgottenHere) {
     for (const std::string tool : {"imgtool", "bsdftool"}) {
@@ -87,8 +89,8 @@ TEST_F(ProgramOptions, ListsTakeNothingOfTheFileNamesBehindThem) {
         }
     }
     // --cropwindow --pixelbounds --pixel; --crop of three, --channels of two; --thetas of two,
-    // --phis, --light, --wavelengths.
-    EXPECT_EQ(visited, 13);
+    // --phis, --light, --wavelengths; --checkpoint.
+    EXPECT_EQ(visited, 14);
 }
 
 TEST_F(ProgramOptions, EveryProgramHasAVersion) {
@@ -130,6 +132,9 @@ TEST_F(ProgramOptions, NumbersOutsideTheirRangeAreExplained) {
     Says("imgtool convert a.exr --outfile b.exr --channels R,,B",
          "--channels: expected names such as R,G,B, found R,,B\n");
     EXPECT_EQ(Run("feathergen --print-preset --seed 18446744073709551615").exitCode, 0);
+    Says("pbrt scene.pbrt --checkpoint ,5", "--checkpoint: expected a file, or a file and seconds");
+    Says("pbrt scene.pbrt --checkpoint a.ck,soon",
+         "--checkpoint: expected a file, or a file and seconds, as in half.ck,30, found a.ck,soon");
     Says("feathergen --out f --seed -1",
          "--seed: expected a whole number of at least 0, found -1\n");
 }
@@ -180,8 +185,12 @@ TEST_F(ProgramOptions, AWrongOutfileIsTheOptionsFault) {
 }
 
 TEST_F(ProgramOptions, WhatPbrtHasAndIsNotBuiltHereIsNamed) {
-    Says("pbrt --displayServer localhost:14158 scene.pbrt",
-         "unknown option --displayserver; pbrt-v4 has it; not built here\n");
+    Says("pbrt --gpu scene.pbrt",
+         "unknown option --gpu; pbrt-v4 has it; not built here. The processor renders, sixteen "
+         "paths "
+         "at a time: leave it out\n");
+    Says("pbrt --log-utilization scene.pbrt",
+         "unknown option --logutilization; pbrt-v4 has it; not built here. Use --stats\n");
     Says("imgtool falsecolor a.exr",
          "unknown command \"falsecolor\"; pbrt-v4 has it; not built here\n");
 }
@@ -256,9 +265,11 @@ TEST_F(ProgramOptions, EveryOptionDirectiveChangesSomethingOrWarns) {
         const std::string option = "Option \"" + std::string(name) + "\" " + values.at(name) + "\n";
         Write("scene.pbrt", option + kManyThings);
         std::filesystem::remove(Path("mse.txt"));
+        std::filesystem::remove(Path("out-stats.exr"));
         const Outcome outcome = Run("pbrt scene.pbrt");
         EXPECT_EQ(outcome.exitCode, 0) << outcome.said;
         EXPECT_TRUE(outcome.said.find("has no effect") != std::string::npos ||
+                    std::filesystem::exists(Path("out-stats.exr")) ||
                     std::filesystem::exists(Path("mse.txt")) || Load("out.exr").Data() != before)
             << option;
     }

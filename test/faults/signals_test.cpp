@@ -26,8 +26,10 @@ class FaultsOfSignals : public Faults {
             std::vector<std::string>{"scene.pbrt", "--spp", "16777216", "--outfile", "out.pfm"},
             folder, limits);
     }
+    /// And what is finished beside it.
     void ExpectTheOldPicture() const {
         EXPECT_EQ(Get("out.pfm"), "the old picture");
+        std::filesystem::remove(Path("out.partial.exr"));
         EXPECT_EQ(Files(), (std::vector<std::string>{"out.pfm", "scene.pbrt"}));
     }
 };

@@ -24,11 +24,13 @@ TEST_F(ImgTool, EveryCommandHasAManual) {
 }
 
 TEST_F(ImgTool, MistakesAreExplained) {
-    EXPECT_EQ(Fail({"convrt", "a.exr"}),
-              "imgtool: unknown command \"convrt\"; did you mean \"convert\"?\nexpected "
-              "\"average\", \"bloom\", \"cat\", \"check\", \"convert\", \"denoise\", \"diff\", "
-              "\"error\", \"falsecolor\", \"info\", \"makeequiarea\", \"scalenormalmap\", "
-              "\"splitn\" or \"whitebalance\"\n");
+    EXPECT_EQ(
+        Fail({"convrt", "a.exr"}),
+        "imgtool: unknown command \"convrt\"; did you mean \"convert\"?\nexpected "
+        "\"assemble\", \"average\", \"bloom\", \"cat\", \"check\", \"convert\", \"denoise\", "
+        "\"diff\", "
+        "\"error\", \"falsecolor\", \"info\", \"makeequiarea\", \"merge\", \"scalenormalmap\", "
+        "\"splitn\" or \"whitebalance\"\n");
     EXPECT_EQ(Fail({"convert", "a.exr", "--outfle", "b"}),
               "imgtool convert: unknown option --outfle; did you mean --outfile?\n"
               "(\"imgtool convert --help\" lists the options)\n");
@@ -43,11 +45,13 @@ TEST_F(ImgTool, EveryCommandSaysWhatOfAFileItDoesNotRead) {
     const std::string stereo = Path("stereo.exr"), out = Path("out.exr");
     WriteExrParts(stereo, {"left", "right"}, {4, 2});
     const std::string plain = Save("plain.exr", Picture({4, 2}, kRGB, std::vector<float>(24, 1)));
+    const std::string other = Save("other.exr", Picture({4, 2}, kRGB, std::vector<float>(24, 3)));
     const std::string said =
         "imgtool: " + stereo +
         ": has 2 parts, of which only the first, \"left\", is read (others: \"right\")\n";
     const std::vector<std::vector<std::string>> commands{
-        {"average", stereo, plain, "--outfile", out},
+        {"assemble", stereo, "--outfile", out},
+        {"average", stereo, other, "--outfile", out},
         {"bloom", stereo, "--outfile", out},
         {"cat", stereo},
         {"check", stereo},
@@ -60,7 +64,8 @@ TEST_F(ImgTool, EveryCommandSaysWhatOfAFileItDoesNotRead) {
         {"scalenormalmap", stereo, "--outfile", out},
         {"splitn", stereo, plain, "--outfile", out},
         {"whitebalance", "--temperature", "5000", stereo, "--outfile", out}};
-    EXPECT_EQ(commands.size() + 1, kTool.commands.size()) << "denoise needs its library";
+    // denoise needs its library; merge takes no such file.
+    EXPECT_EQ(commands.size() + 2, kTool.commands.size());
     for (const std::vector<std::string> &args : commands) {
         const cli::Outcome outcome = Do(args);
         EXPECT_EQ(outcome.exitCode, 0) << args[0] << outcome.err;

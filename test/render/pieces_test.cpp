@@ -136,7 +136,7 @@ TEST(Pieces, AnyOrderAndSplitGivesTheSameBits) {
             done += n;
         }
         Image image = film.NewImage();
-        sums.Develop(film, &image);
+        sums.Develop(&image);
         EXPECT_EQ(image.Data(), expected.Data()) << number;
     }
 }

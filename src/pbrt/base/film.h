@@ -46,8 +46,9 @@ struct FilmTraits {
 ///   Create(params)    reads its own parameters; mistakes go to the dictionary's log
 ///   SetSpaces(c, w)   transforms from rendering to camera and to world space, before rendering
 ///   SampleWavelengths(u)   of one path, u in [0, 1); pdf per nm
-///   NewSums()         those of a pixel without samples. Sums must consist of ExactSum and counts,
-///                     so that samples may come in any order
+///   NewSums()         those of a pixel without samples. Sums must consist of ExactSum, so that
+///                     samples may come in any order; Sums::ForEach(f) calls f with each, in the
+///                     same order always and equally often for all pixels of a film
 ///   Add(&sums, sample)
 ///   ChannelNames()    names of its channels, in the order of Write; empty: none
 ///   Write(sums, values)    sets one value for each channel; without samples finite, too

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -30,11 +31,28 @@ class ExactSum {
     double Value() const { return double(sum) * 0x1p-64; }
     bool operator==(const ExactSum &) const = default;
 
+    /// The number in pieces of 32 bits, the lowest first: for files.
+    std::array<uint32_t, 4> Words() const {
+        std::array<uint32_t, 4> words;
+        for (size_t i = 0; i < words.size(); ++i)
+            words[i] = uint32_t(Bits(sum) >> (32 * i));
+        return words;
+    }
+    static ExactSum FromWords(const uint32_t *words) {
+        Bits bits = 0;
+        for (size_t i = 0; i < 4; ++i)
+            bits |= Bits(words[i]) << (32 * i);
+        ExactSum s;
+        s.sum = Fixed(bits);
+        return s;
+    }
+
   private:
     __extension__ typedef __int128 Fixed;
+    __extension__ typedef unsigned __int128 Bits;
 
     void Add(Fixed x) {
-        __extension__ constexpr Fixed kMost = Fixed(~static_cast<unsigned __int128>(0) >> 1);
+        constexpr Fixed kMost = Fixed(~Bits(0) >> 1);
         if (__builtin_add_overflow(sum, x, &sum)) [[unlikely]]
             sum = x < 0 ? -kMost : kMost;
     }

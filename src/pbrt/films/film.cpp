@@ -110,13 +110,35 @@ Film Film::Create(std::string_view type, ParamDict &params, const FilmOverrides 
     return film;
 }
 
+std::optional<Film> Film::ForSums(std::string_view type, size_t sumsPerPixel) {
+    Diagnostics log;
+    ParsedParameters parameters;
+    // The only film whose sums depend on its parameters: two for a bucket.
+    if (type == SpectralFilm::kName && sumsPerPixel > 4) {
+        ParsedParameter &buckets = parameters.emplace_back();
+        buckets.type = "integer";
+        buckets.name = "nbuckets";
+        buckets.ints = {int(std::min<size_t>(sumsPerPixel, kMaxResolution) / 2) - 2};
+    }
+    ParamDict params(parameters, {}, "film", &RGBColorSpace::sRGB(), &log);
+    Film film = Create(type, params, {});
+    if (log.HasErrors() || film.SumsPerPixel() != sumsPerPixel) return {};
+    film.bounds = {0, 1, 0, 1};
+    return film;
+}
+
+std::string_view Film::TypeName() const {
+    return Dispatch(type, []<typename F>(const F &) -> std::string_view { return F::kName; });
+}
+
 void Film::SetSpaces(const Transform &camera, const Transform &world) {
     Dispatch(type, [&](auto &t) { t.SetSpaces(camera, world); });
 }
 
 uint64_t Film::BytesFor(const PixelBounds &b) const {
-    // The image, a copy in the file's type, the file.
-    return uint64_t(b.Area()) * ChannelNames().size() * 3 * sizeof(float);
+    // The image, a copy in the file's type, the file; the sums.
+    return uint64_t(b.Area()) *
+           (ChannelNames().size() * 3 * sizeof(float) + SumsPerPixel() * sizeof(ExactSum));
 }
 
 std::vector<std::string> Film::ChannelNames() const {
@@ -129,6 +151,29 @@ std::vector<std::string> Film::ChannelNames() const {
 Film::Pixel Film::NewPixel() const {
     Pixel pixel;
     Dispatch(type, [&](const auto &t) { pixel.more = t.NewSums(); });
+    return pixel;
+}
+
+size_t Film::SumsPerPixel() const {
+    size_t n = 4;
+    Pixel pixel = NewPixel();
+    std::visit([&](auto &more) { more.ForEach([&](const ExactSum &) { ++n; }); }, pixel.more);
+    return n;
+}
+
+void Film::Flatten(Pixel pixel, ExactSum *to) const {
+    to = std::copy(pixel.rgb.begin(), pixel.rgb.end(), to);
+    *to++ = pixel.weight;
+    std::visit([&](auto &more) { more.ForEach([&](const ExactSum &s) { *to++ = s; }); },
+               pixel.more);
+}
+
+Film::Pixel Film::Unflatten(const ExactSum *from) const {
+    Pixel pixel = NewPixel();
+    std::copy_n(from, pixel.rgb.size(), pixel.rgb.begin());
+    from += pixel.rgb.size();
+    pixel.weight = *from++;
+    std::visit([&](auto &more) { more.ForEach([&](ExactSum &s) { s = *from++; }); }, pixel.more);
     return pixel;
 }
 
@@ -154,7 +199,10 @@ Image Film::NewImage() const {
 }
 
 void Film::Develop(Point2i p, const Pixel &pixel, Image *image) const {
-    float *const channels = image->Pixel({p.x - bounds.x0, p.y - bounds.y0});
+    Develop(pixel, image->Pixel({p.x - bounds.x0, p.y - bounds.y0}));
+}
+
+void Film::Develop(const Pixel &pixel, float *channels) const {
     const double weight = pixel.Weight();
     for (int c = 0; c < 3; ++c)
         channels[c] = weight == 0 ? 0 : float(pixel.Mean(c));

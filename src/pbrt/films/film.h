@@ -51,6 +51,8 @@ class Film {
                        Diagnostics &log);
     /// The same by its parameters.
     static Film Create(std::string_view type, ParamDict &params, const FilmOverrides &overrides);
+    /// A film of one pixel to develop sums with; nullopt where no film of this type has so many.
+    static std::optional<Film> ForSums(std::string_view type, size_t sumsPerPixel);
 
     // Before rendering.
     /// Shutter time in seconds.
@@ -84,6 +86,11 @@ class Film {
         double Mean(int c) const { return rgb[size_t(c)].Value() / weight.Value(); }
     };
     Pixel NewPixel() const;
+    /// How many sums make up a pixel. Pixels of two sets of samples, each as a list of so many
+    /// sums, make up that of all samples where they are added one by one.
+    size_t SumsPerPixel() const;
+    void Flatten(Pixel pixel, ExactSum *to) const;
+    Pixel Unflatten(const ExactSum *from) const;
     /// Samples on their way into a pixel. Those of one object are summed up in double precision,
     /// one after another, and added to the exact sums together, which is faster: so their order and
     /// grouping do matter, and must be those of a piece's samples.
@@ -119,6 +126,9 @@ class Film {
     Image NewImage() const;
     /// Sets pixel p of such an image, p in pixels of the full resolution.
     void Develop(Point2i p, const Pixel &pixel, Image *image) const;
+    /// The same into the values of one pixel.
+    void Develop(const Pixel &pixel, float *channels) const;
+    std::string_view TypeName() const;
 
   private:
     void AddMore(Pixel *pixel, SampledSpectrum L, const RGB &rgb, const SampledWavelengths &lambda,

@@ -25,7 +25,7 @@ void GBufferFilm::Add(Sums *sums, const FilmSample &sample) const {
     sums->weightOfAll += sample.weight;
     const VisibleSurface *const surface = sample.surface;
     if (!surface) return;
-    ++sums->n;
+    sums->n += 1;
     for (int c = 0; c < 3; ++c) {
         sums->rgb[size_t(c)][0] += sample.rgb[c];
         sums->rgb[size_t(c)][1] += Sqr(double(sample.rgb[c]));
@@ -96,12 +96,12 @@ void GBufferFilm::Write(const Sums &sums, float *channels) const {
     }
     float *const variance = channels + kSurfaceChannels, *const relative = variance + 3;
     for (size_t c = 0; c < 3; ++c) {
-        const double n = double(std::max<int64_t>(sums.n, 1));
+        const double n = std::max(sums.n.Value(), 1.);
         const double mean = sums.rgb[c][0].Value() / n;
         // Both sums are exact but for ExactSum's last digit, so that the difference of the two,
         // which cancels for even pixels, errs by n 2^-53 of the squared mean.
         const double squares = std::max(sums.rgb[c][1].Value() - n * mean * mean, 0.);
-        const double v = sums.n < 2 ? 0 : squares / (n - 1);
+        const double v = n < 2 ? 0 : squares / (n - 1);
         variance[c] = float(v);
         relative[c] = mean == 0 ? 0 : float(v / mean);
     }

@@ -15,10 +15,19 @@ class GBufferFilm {
     static constexpr size_t kSurfaceChannels = 16;
     /// On the heap, so that pixels of other films stay small.
     struct Sums {
-        int64_t n = 0;                             ///< samples that see something
+        ExactSum n;                                ///< samples that see something
         ExactSum weight, weightOfAll;              ///< of these, and of all
         std::vector<ExactSum> surface;             ///< kSurfaceChannels, weighted
         std::vector<std::array<ExactSum, 2>> rgb;  ///< R, G, B and their squares, not weighted
+
+        template <typename F>
+        void ForEach(const F &f) {
+            f(n), f(weight), f(weightOfAll);
+            for (ExactSum &s : surface)
+                f(s);
+            for (std::array<ExactSum, 2> &s : rgb)
+                f(s[0]), f(s[1]);
+        }
     };
 
     static GBufferFilm Create(ParamDict &params);
@@ -30,7 +39,7 @@ class GBufferFilm {
         return SampledWavelengths::SampleVisible(u);
     }
     Sums NewSums() const {
-        return {0,
+        return {{},
                 {},
                 {},
                 std::vector<ExactSum>(kSurfaceChannels),

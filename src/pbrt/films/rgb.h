@@ -9,7 +9,10 @@ class RGBFilm {
   public:
     static constexpr std::string_view kName = "rgb";
     static constexpr FilmTraits kTraits{};
-    struct Sums {};
+    struct Sums {
+        template <typename F>
+        void ForEach(const F &) {}
+    };
 
     static RGBFilm Create(ParamDict &) { return {}; }
     void SetSpaces(const Transform &, const Transform &) {}

@@ -17,6 +17,14 @@ class SpectralFilm {
     /// Sums by bucket.
     struct Sums {
         std::vector<ExactSum> values, weights;
+
+        template <typename F>
+        void ForEach(const F &f) {
+            for (ExactSum &s : values)
+                f(s);
+            for (ExactSum &s : weights)
+                f(s);
+        }
     };
 
     static SpectralFilm Create(ParamDict &params);

@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "pbrt/image/exr_words.h"
 #include "pbrt/image/image.h"
 #include "pbrt/util/result.h"
 
@@ -22,7 +23,10 @@ OrError<Image> DecodeQoi(std::string_view bytes, const ColorEncoding &encoding);
 bool IsTga(std::string_view bytes);
 OrError<Image> DecodeTga(std::string_view bytes, const ColorEncoding &encoding);
 
-OrError<std::string> EncodeExr(const Image &image, ExrPixels pixels);
+/// With `words`, if any, in a part of their own.
+OrError<std::string> EncodeExr(const Image &image, ExrPixels pixels,
+                               const ExrWords *words = nullptr);
+OrError<ExrWords> DecodeExrWords(std::string_view bytes, const std::string &part);
 OrError<std::string> EncodePng(const Image &image);
 OrError<std::string> EncodePfm(const Image &image);
 

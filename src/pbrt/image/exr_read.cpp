@@ -21,6 +21,9 @@
 namespace pbrt {
 namespace {
 
+/// Beyond deflate's 1032:1, for the wavelet and block coders on flat images.
+constexpr double kMaxRatio = 4096;
+
 template <typename Attribute, typename T>
 void ReadAttribute(const Imf::Header &header, const char *name, std::optional<T> *value) {
     if (const auto *attribute = header.findTypedAttribute<Attribute>(name))
@@ -127,8 +130,6 @@ OrError<Image> DecodeExr(std::string_view bytes) {
     const Imath::Box2i window = header.dataWindow();
     const double width = double(window.max.x) - window.min.x + 1;
     const double height = double(window.max.y) - window.min.y + 1;
-    // Beyond deflate's 1032:1, for the wavelet and block coders on flat images.
-    constexpr double kMaxRatio = 4096;
     if (auto reason = Implausible(width, height, double(channels->names.size()),
                                   channels->bitsPerPixel, kMaxRatio, bytes.size()))
         return {{}, *reason};
@@ -149,6 +150,45 @@ OrError<Image> DecodeExr(std::string_view bytes) {
                               : channels->type == Imf::FLOAT ? "float"
                                                              : "uint";
     return {std::move(image), {}};
+}
+
+OrError<ExrWords> DecodeExrWords(std::string_view bytes, const std::string &part) {
+    ExrInput stream(bytes);
+    Imf::MultiPartInputFile file(stream, Imf::globalThreadCount(), false);
+    int number = 0;
+    while (number < file.parts() &&
+           !(file.header(number).hasName() && file.header(number).name() == part))
+        ++number;
+    ExrWords words;
+    words.name = part;
+    if (number == file.parts()) return {words, {}};
+    const Imf::Header &header = file.header(number);
+    const Imath::Box2i window = header.dataWindow();
+    const double width = double(window.max.x) - window.min.x + 1;
+    const double height = double(window.max.y) - window.min.y + 1;
+    for (auto c = header.channels().begin(); c != header.channels().end(); ++c) {
+        if (c.channel().type != Imf::UINT || c.channel().xSampling != 1 ||
+            c.channel().ySampling != 1)
+            return {{}, fmt::format("has a part \"{}\" that does not hold whole numbers", part)};
+        ++words.perPixel;
+    }
+    if (const auto why = Implausible(width, height, double(words.perPixel),
+                                     32. * double(words.perPixel), kMaxRatio, bytes.size()))
+        return {{}, *why};
+    words.values.resize(size_t(width * height) * words.perPixel);
+    Imf::FrameBuffer frame;
+    size_t i = 0;  // channels come in the order of their names
+    for (auto c = header.channels().begin(); c != header.channels().end(); ++c, ++i)
+        frame.insert(c.name(), Imf::Slice::Make(Imf::UINT, words.values.data() + i, window.min,
+                                                int64_t(width), int64_t(height),
+                                                sizeof(uint32_t) * words.perPixel));
+    Imf::InputPart input(file, number);
+    input.setFrameBuffer(frame);
+    input.readPixels(window.min.y, window.max.y);
+    for (auto a = header.begin(); a != header.end(); ++a)
+        if (const auto *text = dynamic_cast<const Imf::StringAttribute *>(&a.attribute()))
+            words.strings[a.name()] = text->value();
+    return {std::move(words), {}};
 }
 
 }  // namespace pbrt

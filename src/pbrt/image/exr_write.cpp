@@ -5,8 +5,12 @@
 #include <ImfHeader.h>
 #include <ImfIntAttribute.h>
 #include <ImfMatrixAttribute.h>
+#include <ImfMultiPartOutputFile.h>
 #include <ImfOutputFile.h>
+#include <ImfOutputPart.h>
+#include <ImfPartType.h>
 #include <ImfStringAttribute.h>
+#include <fmt/format.h>
 #include <half.h>
 
 #include <algorithm>
@@ -70,33 +74,80 @@ std::vector<Imath::half> ToHalf(const std::vector<float> &values) {
     return halves;
 }
 
+/// Values of a picture as they go into the file.
+class FilePixels {
+  public:
+    FilePixels(const Image &image, ExrPixels pixels)
+        : image(image),
+          isHalf(pixels == ExrPixels::Half),
+          halves(isHalf ? ToHalf(image.Data()) : std::vector<Imath::half>()) {}
+
+    void AddChannels(Imf::Header *header, Imf::FrameBuffer *frame) const {
+        const Imf::PixelType type = isHalf ? Imf::HALF : Imf::FLOAT;
+        const size_t bytes = isHalf ? sizeof(Imath::half) : sizeof(float);
+        const char *const values = isHalf ? reinterpret_cast<const char *>(halves.data())
+                                          : reinterpret_cast<const char *>(image.Data().data());
+        const auto [width, height] = image.Resolution();
+        for (int c = 0; c < image.NChannels(); ++c) {
+            const std::string &name = image.ChannelNames()[c];
+            header->channels().insert(name, Imf::Channel(type));
+            frame->insert(name, Imf::Slice::Make(type, values + c * bytes, header->dataWindow().min,
+                                                 width, height, bytes * image.NChannels()));
+        }
+    }
+
+  private:
+    const Image &image;
+    bool isHalf;
+    std::vector<Imath::half> halves;
+};
+
+/// Header and pixels of the part that holds the words.
+void AddWords(const ExrWords &words, Point2i size, Imf::Header *header, Imf::FrameBuffer *frame) {
+    const size_t bytes = sizeof(uint32_t) * words.perPixel;
+    for (const auto &[name, text] : words.strings)
+        header->insert(name, Imf::StringAttribute(text));
+    for (size_t i = 0; i < words.perPixel; ++i) {
+        const std::string name = fmt::format("{:05}", i);
+        header->channels().insert(name, Imf::Channel(Imf::UINT));
+        frame->insert(name, Imf::Slice::Make(Imf::UINT, words.values.data() + i,
+                                             header->dataWindow().min, size.x, size.y, bytes));
+    }
+}
+
+void WriteParts(Imf::Header *headers, const Imf::FrameBuffer *frames, int height,
+                ExrOutput *stream) {
+    Imf::MultiPartOutputFile file(*stream, headers, 2, true);
+    for (int i = 0; i < 2; ++i) {
+        Imf::OutputPart part(file, i);
+        part.setFrameBuffer(frames[i]);
+        part.writePixels(height);
+    }
+}
+
 }  // namespace
 
-OrError<std::string> EncodeExr(const Image &image, ExrPixels pixels) {
+OrError<std::string> EncodeExr(const Image &image, ExrPixels pixels, const ExrWords *words) {
     const auto [width, height] = image.Resolution();
     const auto &b = image.metadata.pixelBounds;
     if (b != std::array<int, 4>{} && (b[1] - b[0] != width || b[3] - b[2] != height))
         return {{}, "has pixel bounds that are not the size of the picture"};
-    Imf::Header header = MakeHeader(image);
-    AddMetadata(&header, image.metadata);
-    const bool isHalf = pixels == ExrPixels::Half;
-    const Imf::PixelType type = isHalf ? Imf::HALF : Imf::FLOAT;
-    const size_t valueBytes = isHalf ? sizeof(Imath::half) : sizeof(float);
-    const std::vector<Imath::half> halves =
-        isHalf ? ToHalf(image.Data()) : std::vector<Imath::half>();
-    const char *values = isHalf ? reinterpret_cast<const char *>(halves.data())
-                                : reinterpret_cast<const char *>(image.Data().data());
-    Imf::FrameBuffer frame;
-    for (int c = 0; c < image.NChannels(); ++c) {
-        const std::string &name = image.ChannelNames()[c];
-        header.channels().insert(name, Imf::Channel(type));
-        frame.insert(name, Imf::Slice::Make(type, values + c * valueBytes, header.dataWindow().min,
-                                            width, height, valueBytes * image.NChannels()));
-    }
+    Imf::Header headers[2]{MakeHeader(image), MakeHeader(image)};
+    Imf::FrameBuffer frames[2];
+    AddMetadata(&headers[0], image.metadata);
+    const FilePixels filePixels(image, pixels);
+    filePixels.AddChannels(&headers[0], &frames[0]);
     ExrOutput stream;
-    {
-        Imf::OutputFile file(stream, header);
-        file.setFrameBuffer(frame);
+    if (words) {
+        AddWords(*words, image.Resolution(), &headers[1], &frames[1]);
+        headers[0].setName("picture");
+        headers[1].setName(words->name);
+        for (Imf::Header &header : headers)
+            header.setType(Imf::SCANLINEIMAGE);
+        WriteParts(headers, frames, height, &stream);
+    } else {
+        Imf::OutputFile file(stream, headers[0]);
+        file.setFrameBuffer(frames[0]);
         file.writePixels(height);
     }  // the table of lines is written here
     return {std::move(stream.Bytes()), {}};

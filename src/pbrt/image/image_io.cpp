@@ -99,6 +99,31 @@ std::optional<std::string> WriteImage(const Image &image, const std::string &fil
     return WriteFileAtomically(fileName, *bytes.value);
 }
 
+std::optional<std::string> WriteImageWithWords(const Image &image, const std::string &fileName,
+                                               ExrPixels pixels, const ExrWords &words) {
+    OrError<std::string> bytes;
+    try {
+        bytes = EncodeExr(image, pixels, &words);
+    } catch (const std::exception &e) {
+        bytes.error = fmt::format("cannot be written: {}", e.what());
+    }
+    if (!bytes) return fmt::format("{}: {}", fileName, bytes.error);
+    return WriteFileAtomically(fileName, *bytes.value);
+}
+
+OrError<ExrWords> ReadWords(const std::string &fileName, const std::string &name) {
+    const FileContents file = ReadWholeFile(fileName, Pipes::Refused);
+    if (!file.bytes) return {{}, file.error};
+    OrError<ExrWords> words;
+    try {
+        words = DecodeExrWords(*file.bytes, name);
+    } catch (const std::exception &e) {
+        words.error = fmt::format("cannot be read: {}", e.what());
+    }
+    if (!words) words.error = fmt::format("{}: {}", fileName, words.error);
+    return words;
+}
+
 std::optional<std::string> WriteImageSomewhere(const Image &image, const std::string &fileName,
                                                ExrPixels pixels) {
     const auto why = WriteImage(image, fileName, pixels);

@@ -6,7 +6,8 @@ namespace pbrt::imgtool {
 namespace {
 
 constexpr std::array kCommands{
-    cli::Command{"average", "mean of several pictures, and its variance", Average},
+    cli::Command{"assemble", "join crops to the full picture, what is missing black", Assemble},
+    cli::Command{"average", "mean of several pictures by their samples, and its variance", Average},
     cli::Command{"bloom", "let bright pixels bleed into their neighbours", Bloom},
     cli::Command{"cat", "print the values of pixels", Cat},
     cli::Command{"check", "test that a picture is finite, not black, and changes its hue", Check},
@@ -18,6 +19,7 @@ constexpr std::array kCommands{
     cli::Command{"info", "size, metadata and range of values", Info},
     cli::Command{"makeequiarea", "latitude-longitude environment to a square equal-area one",
                  MakeEquiArea},
+    cli::Command{"merge", "join crops and ranges of samples of one render, exactly", Merge},
     cli::Command{"scalenormalmap", "make the relief of a normal map steeper or flatter",
                  ScaleNormalMap},
     cli::Command{"splitn", "strips of several pictures side by side", SplitN},

@@ -16,6 +16,7 @@ inline Outcome Failure(std::string_view reason) {
     return cli::Failure("imgtool", reason);
 }
 
+Outcome Assemble(Args args);
 Outcome Average(Args args);
 Outcome Bloom(Args args);
 Outcome Cat(Args args);
@@ -27,6 +28,7 @@ Outcome Error(Args args);
 Outcome FalseColor(Args args);
 Outcome Info(Args args);
 Outcome MakeEquiArea(Args args);
+Outcome Merge(Args args);
 Outcome ScaleNormalMap(Args args);
 Outcome SplitN(Args args);
 Outcome WhiteBalanced(Args args);

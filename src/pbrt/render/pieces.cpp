@@ -1,7 +1,5 @@
 #include "pbrt/render/pieces.h"
 
-#include "pbrt/util/math.h"
-
 namespace pbrt {
 
 std::vector<PixelBounds> TilesOf(const Film &film) {
@@ -18,13 +16,15 @@ std::vector<PixelBounds> TilesOf(const Film &film) {
 std::vector<Point2i> PixelsAlongCurve(const PixelBounds &tile) {
     std::vector<Point2i> pixels;
     pixels.reserve(size_t(tile.Area()));
-    for (int y = tile.y0; y < tile.y1; ++y)
-        for (int x = tile.x0; x < tile.x1; ++x)
-            pixels.push_back({x, y});
-    std::sort(pixels.begin(), pixels.end(), [](Point2i a, Point2i b) {
-        return EncodeMorton2(uint32_t(a.x), uint32_t(a.y)) <
-               EncodeMorton2(uint32_t(b.x), uint32_t(b.y));
-    });
+    // Bits of x and y in turns are a place on the curve; all of a whole tile, though this be less.
+    for (int place = 0; place < kTileSize * kTileSize; ++place) {
+        Point2i p{tile.x0, tile.y0};
+        for (int bit = 0; 1 << bit < kTileSize; ++bit) {
+            p.x += (place >> (2 * bit) & 1) << bit;
+            p.y += (place >> (2 * bit + 1) & 1) << bit;
+        }
+        if (tile.Contains(p)) pixels.push_back(p);
+    }
     return pixels;
 }
 

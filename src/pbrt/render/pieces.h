@@ -25,6 +25,7 @@ std::vector<Point2i> PixelsAlongCurve(const PixelBounds &tile);
 struct SampleRange {
     int first = 0, last = 0;
     int Size() const { return last - first; }
+    bool operator==(const SampleRange &) const = default;
 };
 /// Samples come in blocks that end after 1, 4, 16, 32, 64, 128, 192 ...: a preview is there soon,
 /// and few samples are in small blocks. Small ones make small batches and spread packets over many

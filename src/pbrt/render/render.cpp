@@ -9,7 +9,6 @@
 #include <atomic>
 #include <bit>
 #include <chrono>
-#include <mutex>
 
 #include "pbrt/render/adaptive.h"
 
@@ -19,17 +18,10 @@ namespace {
 /// The threads' tracers, and the tiles they share out.
 class TileLoop {
   public:
-    /// `planned`: samples of the whole render, for progress.
-    TileLoop(const RenderTask &task, int nThreads, int64_t planned, const RenderProgress &progress)
-        : task(task),
-          film(task.scene->film),
-          tiles(TilesOf(film)),
-          planned(planned),
-          progress(progress),
+    TileLoop(const RenderTask &task, int nThreads)
+        : tiles(TilesOf(task.scene->film)),
           arena(nThreads > 0 ? nThreads : tbb::task_arena::automatic),
           tracers([&task] { return MakeTracer(task.integrator, *task.scene); }) {}
-
-    bool Stopped() const { return stopped; }
 
     /// A tile in the hands of one thread.
     struct Work {
@@ -37,102 +29,63 @@ class TileLoop {
         Tracer &tracer;
         RayCounts rays;
     };
-    /// Calls render(tile index, work) for each tile; it returns how many samples a pixel got.
-    template <typename F>
-    void ForEachTile(const F &render) {
+    /// Calls wanted(tile index) and, where that is true, render(tile index, work) for each tile.
+    template <typename Wanted, typename F>
+    void ForEachTile(const Wanted &wanted, const F &render) {
         arena.execute([&] {
             tbb::parallel_for(
                 tbb::blocked_range<size_t>(0, tiles.size()),
                 [&](const tbb::blocked_range<size_t> &range) {
-                    for (size_t i = range.begin(); i != range.end(); ++i)
-                        RenderTile(i, render);
+                    for (size_t i = range.begin(); i != range.end(); ++i) {
+                        if (!wanted(i)) continue;
+                        const std::vector<Point2i> pixels = PixelsAlongCurve(tiles[i]);
+                        Work work{pixels, *tracers.local(), {}};
+                        work.tracer.StartTile(pixels);
+                        render(i, &work);
+                    }
                 },
                 tbb::simple_partitioner());
         });
     }
 
-    /// Adds a block of samples in batches; less where progress, asked before each, says no.
-    void Trace(SampleRange block, std::span<Film::Pixel> sums, Work *work) {
-        const int n = int(work->pixels.size()), together = kBatchSize / block.Size();
-        for (int first = 0; first < n && KeepGoing(); first += together)
-            work->tracer.Trace({first, std::min(first + together, n), block.first, block.last},
-                               sums, work->rays);
-    }
-
-    /// Counts samples that were planned and are not needed.
-    void Skip(int64_t samples) { done += samples; }
-
-    /// After the loop.
-    RenderStats Stats() const {
-        const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-        return {time.count(), samples, double(wanted) / double(film.Bounds().Area()), rays};
+    /// Runs f by one of the threads, which may share its work.
+    template <typename F>
+    void Execute(const F &f) {
+        arena.execute(f);
     }
 
   private:
-    template <typename F>
-    void RenderTile(size_t i, const F &render) {
-        const std::vector<Point2i> pixels = PixelsAlongCurve(tiles[i]);
-        Work work{pixels, *tracers.local(), {}};
-        work.tracer.StartTile(pixels);
-        const int64_t spp = render(i, &work);
-        const auto inside = std::count_if(pixels.begin(), pixels.end(),
-                                          [&](Point2i p) { return film.Bounds().Contains(p); });
-        samples += spp * int64_t(pixels.size());
-        wanted += spp * inside;
-        done += spp * int64_t(pixels.size());
-        const std::scoped_lock lock(mutex);
-        rays += work.rays;
-        KeepGoing();
-    }
-    bool KeepGoing() {
-        if (!progress(done, planned)) stopped = true;
-        return !stopped;
-    }
-
-    const RenderTask &task;
-    const Film &film;
     std::vector<PixelBounds> tiles;
-    int64_t planned;
-    const RenderProgress &progress;
     tbb::task_arena arena;
     tbb::enumerable_thread_specific<std::unique_ptr<Tracer>> tracers;
-    std::atomic<int64_t> done{0}, samples{0}, wanted{0};
-    std::mutex mutex;
-    RayCounts rays;  ///< of finished tiles; guarded by mutex
-    std::atomic<bool> stopped{false};
-    std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
 };
 
-void DevelopTile(const Film &film, const PixelBounds &tile, std::span<const Film::Pixel> sums,
-                 Image *image) {
-    const std::vector<Point2i> pixels = PixelsAlongCurve(tile);
-    for (size_t i = 0; i < pixels.size(); ++i)
-        if (film.Bounds().Contains(pixels[i])) film.Develop(pixels[i], sums[i], image);
-}
-
-/// Renders a tile to its end, or to the target error; the samples a pixel got.
-int RenderTile(const RenderTask &task, TileLoop &loop, std::span<Film::Pixel> sums,
-               TileLoop::Work *work) {
-    const int spp = task.SamplesPerPixel();
-    std::vector<Film::Pixel> before;
-    for (SampleRange block = BlockAt(0, spp); block.Size() > 0; block = BlockAt(block.last, spp)) {
-        loop.Trace(block, sums, work);
-        if (task.targetError <= 0 || !std::has_single_bit(unsigned(block.last))) continue;
-        if (block.last >= kFirstJudgement &&
-            RelativeSquaredError(before, sums) <= Sqr(task.targetError)) {
-            loop.Skip((spp - block.last) * int64_t(sums.size()));
-            return block.last;
-        }
-        before.assign(sums.begin(), sums.end());
+/// Adds a block of samples in batches; false where goOn(), asked before each, says no.
+template <typename F>
+bool Trace(SampleRange block, std::span<Film::Pixel> sums, TileLoop::Work *work, const F &goOn) {
+    const int n = int(work->pixels.size()), together = kBatchSize / block.Size();
+    for (int first = 0; first < n; first += together) {
+        if (!goOn()) return false;
+        work->tracer.Trace({first, std::min(first + together, n), block.first, block.last}, sums,
+                           work->rays);
     }
-    return spp;
+    return true;
 }
 
-int64_t PlannedSamples(const std::vector<PixelBounds> &tiles, int spp) {
-    int64_t pixels = 0;
-    for (const PixelBounds &tile : tiles)
-        pixels += tile.Area();
-    return pixels * spp;
+/// Judges a tile with a target error, whose sums have reached `tile.next` samples.
+void Judge(const RenderTask &task, std::span<const Film::Pixel> sums, RenderState::Tile *tile) {
+    if (task.targetError <= 0 || !std::has_single_bit(unsigned(tile->next))) return;
+    const Film &film = task.scene->film;
+    if (tile->next >= kFirstJudgement)
+        tile->enough =
+            RelativeSquaredError(UnflattenAll(film, tile->before), sums) <= Sqr(task.targetError);
+    tile->before = tile->enough ? std::vector<ExactSum>() : FlattenAll(film, sums);
+}
+
+/// The block that begins where one of `range`'s does, cut off at its end.
+SampleRange BlockOf(SampleRange range, int first, int spp) {
+    const SampleRange block = BlockAt(first, spp);
+    return {block.first, std::min(block.last, range.last)};
 }
 
 }  // namespace
@@ -147,6 +100,7 @@ std::optional<RenderTask> MakeRenderTask(SceneDescription &&description, const O
     RenderTask task;
     task.integrator = CreateIntegrator(description, log);
     task.targetError = overrides.targetError;
+    task.part = overrides.part;
     task.scene = BuildScene(std::move(description), overrides, log);
     if (!task.scene || log.HasErrors()) return {};
     Dispatch(task.integrator, [&]<typename I>(I &integrator) {
@@ -157,69 +111,89 @@ std::optional<RenderTask> MakeRenderTask(SceneDescription &&description, const O
     return task;
 }
 
-TileSums::TileSums(const Film &film) {
-    for (const PixelBounds &tile : TilesOf(film))
-        sums.emplace_back(size_t(tile.Area()), film.NewPixel());
+bool GoOnRendering(const RenderTask &task, int nThreads, const RenderHooks &hooks,
+                   RenderState *state) {
+    const RenderState::Clock clock(state);
+    const SampleRange range = state->Samples();
+    const int spp = task.SamplesPerPixel();
+    TileLoop loop(task, nThreads);
+    std::atomic<bool> stopped = false;
+    const auto goOn = [&] {
+        const RenderState::Progress now = state->HowFar();
+        if (!hooks.progress(now.done, now.total)) stopped = true;
+        return !stopped;
+    };
+    for (int first = range.first; first < range.last && !stopped;) {
+        const SampleRange block = BlockOf(range, first, spp);
+        const auto wanted = [&](size_t i) {
+            const RenderState::Tile &tile = state->TileAt(i);
+            return !stopped && tile.next == block.first && !tile.enough;
+        };
+        loop.ForEachTile(wanted, [&](size_t i, TileLoop::Work *work) {
+            const auto start = std::chrono::steady_clock::now();
+            std::vector<Film::Pixel> sums = state->Load(i);
+            if (!Trace(block, sums, work, goOn)) return;
+            RenderState::Tile tile = state->TileAt(i);
+            tile.next = block.last;
+            Judge(task, sums, &tile);
+            tile.rays += work->rays.closest + work->rays.shadow;
+            tile.seconds +=
+                std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+            state->Store(i, sums, tile, work->rays);
+            goOn();
+            if (hooks.afterPiece) hooks.afterPiece();
+        });
+        first = block.last;
+        if (!stopped && hooks.afterPass) loop.Execute([&] { hooks.afterPass(first); });
+    }
+    const RenderState::Progress end = state->HowFar();
+    return end.done == end.total;
 }
 
-void TileSums::Develop(const Film &film, Image *image) const {
-    const std::vector<PixelBounds> tiles = TilesOf(film);
-    for (size_t i = 0; i < tiles.size(); ++i)
-        DevelopTile(film, tiles[i], sums[i], image);
+std::optional<RenderStats> Render(const RenderTask &task, int nThreads,
+                                  const RenderProgress &progress, Image *image,
+                                  const std::function<void(int)> &afterPass) {
+    RenderState state(task);
+    RenderHooks hooks{progress};
+    if (afterPass)
+        hooks.afterPass = [&](int samples) {
+            *image = state.Develop();
+            afterPass(samples);
+        };
+    if (!GoOnRendering(task, nThreads, hooks, &state)) return {};
+    *image = state.Develop();
+    return state.Stats();
 }
 
 std::optional<RenderStats> AddPieces(const RenderTask &task, std::span<const Piece> pieces,
                                      int nThreads, const RenderProgress &progress, TileSums *sums) {
-    const std::vector<PixelBounds> tiles = TilesOf(task.scene->film);
+    const std::vector<PixelBounds> &tiles = sums->Tiles();
     std::vector<std::vector<SampleRange>> blocks(tiles.size());
     int64_t planned = 0;
     for (const Piece &piece : pieces) {
         blocks[piece.tile].push_back(piece.samples);
         planned += piece.samples.Size() * tiles[piece.tile].Area();
     }
-    TileLoop loop(task, nThreads, planned, progress);
-    loop.ForEachTile([&](size_t tile, TileLoop::Work *work) {
-        int spp = 0;
-        for (const SampleRange &block : blocks[tile]) {
-            loop.Trace(block, (*sums)[tile], work);
-            spp += block.Size();
+    std::atomic<int64_t> done = 0;
+    std::atomic<bool> stopped = false;
+    const auto goOn = [&] {
+        if (!progress(done, planned)) stopped = true;
+        return !stopped;
+    };
+    TileLoop loop(task, nThreads);
+    const auto wanted = [&](size_t i) { return !stopped && !blocks[i].empty(); };
+    loop.ForEachTile(wanted, [&](size_t i, TileLoop::Work *work) {
+        std::vector<Film::Pixel> pixels = sums->Load(i);
+        for (const SampleRange &block : blocks[i]) {
+            if (!Trace(block, pixels, work, goOn)) return;
+            done += block.Size() * tiles[i].Area();
         }
-        return spp;
+        sums->Store(i, pixels);
     });
-    if (loop.Stopped()) return {};
-    return loop.Stats();
-}
-
-std::optional<RenderStats> Render(const RenderTask &task, int nThreads,
-                                  const RenderProgress &progress, Image *image,
-                                  const std::function<void(int)> &afterPass) {
-    const Film &film = task.scene->film;
-    const int spp = task.SamplesPerPixel();
-    const std::vector<PixelBounds> tiles = TilesOf(film);
-    TileLoop loop(task, nThreads, PlannedSamples(tiles, spp), progress);
-    *image = film.NewImage();
-    if (!afterPass) {
-        loop.ForEachTile([&](size_t tile, TileLoop::Work *work) {
-            std::vector<Film::Pixel> sums(work->pixels.size(), film.NewPixel());
-            const int got = RenderTile(task, loop, sums, work);
-            DevelopTile(film, tiles[tile], sums, image);
-            return got;
-        });
-    } else {
-        TileSums sums(film);
-        for (SampleRange block = BlockAt(0, spp); block.Size() > 0 && !loop.Stopped();
-             block = BlockAt(block.last, spp)) {
-            loop.ForEachTile([&](size_t tile, TileLoop::Work *work) {
-                loop.Trace(block, sums[tile], work);
-                return block.Size();
-            });
-            if (loop.Stopped()) break;
-            sums.Develop(film, image);
-            afterPass(block.last);
-        }
-    }
-    if (loop.Stopped()) return {};
-    return loop.Stats();
+    if (stopped) return {};
+    RenderStats stats;
+    stats.cameraSamples = done;
+    return stats;
 }
 
 }  // namespace pbrt

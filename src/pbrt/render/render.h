@@ -7,7 +7,7 @@
 
 #include "pbrt/build/build_scene.h"
 #include "pbrt/integrators/integrators.h"
-#include "pbrt/render/pieces.h"
+#include "pbrt/render/render_state.h"
 
 namespace pbrt {
 
@@ -25,12 +25,18 @@ struct RenderTask {
     /// caustics are found by chance, 0.8 % too dark and 0.55.
     float targetError = 0;
 
+    /// The samples of each pixel that are rendered, where not all of them.
+    std::optional<SampleRange> part;
+
+    /// Of the whole image.
     int SamplesPerPixel() const;
+    SampleRange Samples() const { return part.value_or(SampleRange{0, SamplesPerPixel()}); }
 };
 
 /// Scene settings that the command line overrides, and its settings of the render.
 struct Overrides : SceneOverrides {
-    float targetError = 0;  ///< RenderTask's
+    float targetError = 0;            ///< RenderTask's
+    std::optional<SampleRange> part;  ///< RenderTask's
 };
 
 /// Makes everything that the description names; it is left empty. Mistakes go to the log; where
@@ -38,38 +44,30 @@ struct Overrides : SceneOverrides {
 std::optional<RenderTask> MakeRenderTask(SceneDescription &&description, const Overrides &overrides,
                                          Diagnostics &log);
 
-struct RenderStats {
-    double seconds = 0;
-    int64_t cameraSamples = 0;   ///< traced, pixels around a crop window included
-    double samplesPerPixel = 0;  ///< mean over the image
-    RayCounts rays;
-};
-
 /// `done` and `total` in samples; called from any thread, often. False stops the render.
 using RenderProgress = std::function<bool(int64_t done, int64_t total)>;
 
-/// Renders the film's image with `nThreads` threads (0: all cores), tile by tile. The image does
-/// not depend on their number. nullopt where `progress` stopped it.
-///
-/// `afterPass`, if given: all pixels get their first block of samples, then their next (BlockAt),
-/// and afterPass(samples per pixel) is called each time, when *image is the image of these. The
-/// last is the same as without it. RenderTask::targetError is ignored; takes sizeof(Film::Pixel)
-/// bytes a pixel more.
+/// What a render calls on its way.
+struct RenderHooks {
+    RenderProgress progress;
+    /// After a piece was added, if given; any thread, several at a time.
+    std::function<void()> afterPiece = {};
+    /// When all pixels have their samples up to one where a block ends (BlockAt), if given.
+    std::function<void(int samples)> afterPass = {};
+};
+
+/// Goes on with a render, by `nThreads` threads (0: all cores), until it is whole: all pixels get
+/// their first block of samples, then their next. False where hooks.progress stopped it; then
+/// `state` holds all pieces that were finished. What comes out depends neither on the number of
+/// threads nor on stops.
+bool GoOnRendering(const RenderTask &task, int nThreads, const RenderHooks &hooks,
+                   RenderState *state);
+
+/// Renders the film's image from its first sample to its last. nullopt where `progress` stopped it.
+/// When afterPass(samples per pixel) is called, *image is the image of these.
 std::optional<RenderStats> Render(const RenderTask &task, int nThreads,
                                   const RenderProgress &progress, Image *image,
                                   const std::function<void(int)> &afterPass = {});
-
-/// Sums of an unfinished image, tile by tile.
-class TileSums {
-  public:
-    explicit TileSums(const Film &film);
-    std::span<Film::Pixel> operator[](size_t tile) { return sums[tile]; }
-    /// The image of the samples so far.
-    void Develop(const Film &film, Image *image) const;
-
-  private:
-    std::vector<std::vector<Film::Pixel>> sums;  ///< in the order of PixelsAlongCurve
-};
 
 /// Traces pieces and adds them to `sums`, in any order and number of calls: pieces that make up the
 /// whole image give Render's. nullopt where `progress` stopped it.

@@ -2,12 +2,14 @@
 
 #include <deque>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "pbrt/scene/packed_entities.h"
+#include "pbrt/scene/scene_content.h"
 
 namespace pbrt {
 
@@ -39,8 +41,11 @@ struct Options {
     bool disableWavelengthJitter = false;
     bool disableTextureFiltering = false;
     bool forceDiffuse = false;
+    bool pixelStats = false;
     std::string renderCoordSys = "cameraworld";
     std::string mseReferenceImage, mseReferenceOut;
+    /// Puts numbers into scene text where it says $frame (scene/frame_text.h).
+    std::optional<int> frame;
 };
 
 /// Names that `Option` takes, as PBRT_FORMAT 1.4 spells them.
@@ -63,6 +68,7 @@ struct SceneDescription {
     Options options;
     std::string dir;                    ///< folder of the last top-level scene file
     std::deque<std::string> fileNames;  ///< names that FileLoc::file points into
+    SceneContent content;               ///< of all files read
 };
 
 /// Reads scene files (or standard input for an empty list or "-") into `scene`. Mistakes go to the

@@ -20,6 +20,8 @@ constexpr BoolParam kDisableTextureFiltering{"disabletexturefiltering", false,
                                              "point-sampled textures"};
 constexpr BoolParam kForceDiffuse{
     "forcediffuse", false, "every surface is diffuse and reflects as much as its material does"};
+constexpr BoolParam kPixelStats{"pixelstats", false,
+                                "write NAME-stats.exr beside the picture: samples, seconds, rays"};
 constexpr IntParam kSeed{"seed", 0, kLeastInt, kMostInt, "of the samplers' random numbers"};
 constexpr ChoiceParam kRenderCoordSys{"rendercoordsys", kCoordSys[1], kCoordSys,
                                       "the space to render in"};
@@ -27,12 +29,17 @@ constexpr StringParam kMseReferenceImage{"msereferenceimage", "",
                                          "picture without noise, to tell the error of this one"};
 constexpr StringParam kMseReferenceOut{
     "msereferenceout", "", "file for lines \"spp, mean squared error\" at 1, 2, 4, ... samples"};
-constexpr std::array<ParamRow, 8> kRows{
-    kDisablePixelJitter, kDisableWavelengthJitter, kDisableTextureFiltering, kForceDiffuse, kSeed,
-    kRenderCoordSys,     kMseReferenceImage,       kMseReferenceOut};
+constexpr std::array<ParamRow, 9> kRows{kDisablePixelJitter,
+                                        kDisableWavelengthJitter,
+                                        kDisableTextureFiltering,
+                                        kForceDiffuse,
+                                        kPixelStats,
+                                        kSeed,
+                                        kRenderCoordSys,
+                                        kMseReferenceImage,
+                                        kMseReferenceOut};
 /// Known to pbrt-v4, without a meaning here.
-constexpr std::array<std::string_view, 3> kIgnored{"displacementedgescale", "pixelstats",
-                                                   "wavefront"};
+constexpr std::array<std::string_view, 2> kIgnored{"displacementedgescale", "wavefront"};
 constexpr auto kNames = [] {
     std::array<std::string_view, kRows.size() + kIgnored.size()> names;
     for (size_t i = 0; i < kRows.size(); ++i)
@@ -115,6 +122,7 @@ void ReadOption(DirectiveContext &c) {
     if (name == kDisableWavelengthJitter.name) return ReadFlag(c, &o.disableWavelengthJitter);
     if (name == kDisableTextureFiltering.name) return ReadFlag(c, &o.disableTextureFiltering);
     if (name == kForceDiffuse.name) return ReadFlag(c, &o.forceDiffuse);
+    if (name == kPixelStats.name) return ReadFlag(c, &o.pixelStats);
     if (name == kSeed.name) return ReadInt(c, &o.seed);
     if (name == kMseReferenceImage.name) return ReadString(c, &o.mseReferenceImage);
     if (name == kMseReferenceOut.name) return ReadString(c, &o.mseReferenceOut);

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "pbrt/scene/frame_text.h"
 #include "pbrt/scene/scene_file.h"
 
 namespace pbrt {
@@ -101,7 +102,10 @@ void Parser::ReportOld() {
                            names));
 }
 
-void Parser::ReadTokens(std::string_view text, std::string_view name) {
+void Parser::ReadTokens(std::string_view written, std::string_view name) {
+    const std::optional<std::string> replaced = WithFrame(written, name);
+    const std::string_view text = replaced ? *replaced : written;
+    scene->content.AddText(text, dir);
     if (const std::string_view why = NotAScene(text); !why.empty()) {
         allFilesRead = false;
         return log->Error({name, 0, 0}, why);
@@ -119,6 +123,13 @@ void Parser::ReadTokens(std::string_view text, std::string_view name) {
         }
     }
     context.arguments.ReadFrom(outer);
+}
+
+std::optional<std::string> Parser::WithFrame(std::string_view text, std::string_view name) {
+    if (!scene->options.frame) return {};
+    OrError<std::string> replaced = PutFrame(text, *scene->options.frame);
+    if (!replaced) log->Error({name, 0, 0}, replaced.error);
+    return std::move(replaced.value);
 }
 
 void Parser::ReadDirective(Lexer &lexer) {

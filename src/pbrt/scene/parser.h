@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,7 +28,9 @@ class Parser {
         std::string identity;  ///< tells whether two are the same file
     };
 
-    void ReadTokens(std::string_view text, std::string_view name);
+    void ReadTokens(std::string_view written, std::string_view name);
+    /// The text of a frame, where frames are rendered.
+    std::optional<std::string> WithFrame(std::string_view text, std::string_view name);
     void ReadDirective(Lexer &lexer);
     void RefuseDirective(const Token &token);
     bool CheckPlace(const Directive &d);
