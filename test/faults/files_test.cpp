@@ -100,7 +100,7 @@ TEST_F(Files, IncludesThatDoubleAreCountedAndEnd) {
             fmt::format("Include \"{}.pbrt\"\nInclude \"{}.pbrt\"\n", i + 1, i + 1));
     Put("40.pbrt", "# nothing\n");
     PutScene("Include \"0.pbrt\"");
-    EXPECT_TRUE(Refused(Render(), "more than 100000 files are included"));
+    EXPECT_TRUE(Refused(Render(), "more than 300000 files are included"));
 }
 
 TEST_F(Files, IncludesThatNestWithoutEndAreRefused) {

@@ -20,7 +20,12 @@ ScreenWindow ScreenWindow::Read(ParamDict &params, Point2i resolution) {
                                 : ScreenWindow{-1, 1, -1 / aspect, 1 / aspect};
     const std::vector<float> given = params.GetFloatArray(kScreenWindow);
     if (given.empty()) return w;
-    if (given.size() != 4 || given[0] >= given[1] || given[2] >= given[3])
+    if (given.size() != 4)
+        params.Warning(kScreenWindow.name,
+                       fmt::format("\"screenwindow\" has no effect, as in pbrt-v4: it needs four "
+                                   "values, xmin xmax ymin ymax; found {}",
+                                   fmt::join(given, " ")));
+    else if (given[0] >= given[1] || given[2] >= given[3])
         params.Error(kScreenWindow.name,
                      fmt::format("\"screenwindow\" needs four values: xmin xmax ymin ymax, xmin < "
                                  "xmax and ymin < ymax; found {}",

@@ -94,6 +94,12 @@ class Oidn {
 
 }  // namespace
 
+std::optional<std::string> WhyNoDenoiser() {
+    const OrError<OidnLibrary> library = LoadOidn();
+    if (library) return {};
+    return library.error;
+}
+
 OrError<Image> Denoised(const Image &image) {
     constexpr Names kColor{"R", "G", "B"};
     Plane color = Channels(image, kColor);

@@ -14,5 +14,7 @@ namespace pbrt {
 /// file that the environment variable OIDN_LIBRARY names, else where the system's loader looks,
 /// else what scripts/denoiser.sh installs. The error says what to do where there is none.
 OrError<Image> Denoised(const Image &image);
+/// Why Denoised would find no library, or nothing: to be asked before hours of rendering.
+std::optional<std::string> WhyNoDenoiser();
 
 }  // namespace pbrt

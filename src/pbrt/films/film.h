@@ -41,6 +41,8 @@ struct FilmOverrides {
     std::optional<std::array<float, 4>> cropWindow;
     std::optional<std::array<int, 4>> pixelBounds;
     bool quick = false;  ///< a quarter of the resolution
+    /// Film "rgb" gathers what "gbuffer" does, to guide the denoiser, into whatever kind of file.
+    bool denoised = false;
 };
 
 /// Settings of the image: values, pixels, file. Immutable while rendering. Samples are summed up in

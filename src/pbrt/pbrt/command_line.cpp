@@ -105,6 +105,12 @@ void AddHowToRender(CLI::App *app, Arguments *a) {
                  "every surface diffuse, reflecting as much as its material does");
 }
 
+void AddDenoise(CLI::App *app, Arguments *a) {
+    cli::AddFlag(app, "--denoise", &a->denoise,
+                 "take the noise out of the finished picture, by Open Image Denoise, which "
+                 "scripts/denoiser.sh installs");
+}
+
 void AddWatching(CLI::App *app, Arguments *a) {
     cli::AddFlag(app, "--write-partial-images", &a->writePartialImages,
                  "write the picture after 1, 4, 16, 32, 64, 128 ... samples per pixel, too");
@@ -148,6 +154,7 @@ void DefineOptions(CLI::App *app, Arguments *a) {
                  "written there, unless --checkpoint names another file",
                  "FILE");
     AddHowToRender(app, a);
+    AddDenoise(app, a);
     AddWatching(app, a);
     AddRewriting(app, a);
     cli::AddFlag(app, "--quiet", &a->quiet, "no progress, no warnings");
@@ -162,6 +169,7 @@ void DefineOptions(CLI::App *app, Arguments *a) {
 
 void TakeWritten(Arguments *a) {
     Overrides &o = a->overrides;
+    o.film.denoised = a->denoise;
     if (a->spp > 0) o.spp = a->spp;
     if (!a->crop.empty()) o.film.cropWindow = {a->crop[0], a->crop[1], a->crop[2], a->crop[3]};
     if (!a->bounds.empty())

@@ -31,7 +31,7 @@ struct Arguments {
     std::string statsFile, explain, resume, displayServer;
     CheckpointOption checkpoint;
     std::optional<FrameRange> frames;
-    bool stats = false, quiet = false, writePartialImages = false;
+    bool stats = false, quiet = false, writePartialImages = false, denoise = false;
     bool format = false, toPly = false, upgrade = false;
     // As written; TakeWritten puts them into `overrides`. Nothing, or 0: not given.
     std::vector<float> crop;

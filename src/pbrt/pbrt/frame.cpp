@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "pbrt/cli/interrupts.h"
+#include "pbrt/denoise/denoise.h"
 #include "pbrt/pbrt/checkpointer.h"
 #include "pbrt/pbrt/display_server.h"
 #include "pbrt/pbrt/messages.h"
@@ -35,6 +36,7 @@ struct Ready {
     RenderIdentity identity;
     Times times;
     std::optional<MseLog> mse;
+    bool onlyColors = false;  ///< the film's other channels are for the denoiser alone
 };
 
 void PrintWarnings(const RenderScene &scene, const ClampCounts &counts) {
@@ -176,6 +178,7 @@ class Rendering {
         const RenderStats stats = state.Stats();
         if (!a.quiet) PrintWarnings(*ready.task.scene, stats.rays.clamped);
         Image image = state.Develop();
+        if (a.denoise) Denoise(&image);
         AddMetadata(ready.task, ready.identity, int(stats.samplesPerPixel), &image.metadata);
         if (ready.mse) image.metadata.mse = float(ready.mse->Error());
         if (const auto why = WritePicture(ready.task, ready.identity, state, image))
@@ -190,6 +193,17 @@ class Rendering {
                           t.parse + t.build + stats.seconds) +
                 "\n");
         return reported;
+    }
+
+    void Denoise(Image *image) {
+        progress->Begin("Denoising");
+        OrError<Image> denoised = Denoised(*image);
+        progress->Clear();
+        if (denoised)
+            *image = std::move(*denoised.value);
+        else
+            Warn(fmt::format("the picture is written with its noise: {}", denoised.error));
+        if (ready.onlyColors) *image = OnlyColors(*image);
     }
 
     /// After a picture could not be written.
@@ -276,6 +290,8 @@ FrameResult RenderFrame(const Arguments &a, const std::optional<std::string> &th
     if (result.skipped) return result;
     start = std::chrono::steady_clock::now();
     progress.Begin(what + "building");
+    const std::string_view film = description.film.type;
+    const bool onlyColors = a.denoise && (film.empty() || film == RGBFilm::kName);
     std::optional<Ready> ready = Build(std::move(description), a, log);
     times.build = Seconds(start);
     progress.Clear();
@@ -285,6 +301,7 @@ FrameResult RenderFrame(const Arguments &a, const std::optional<std::string> &th
         return result;
     }
     ready->times = times;
+    ready->onlyColors = onlyColors;
     result.exitCode = Rendering(*ready, a, &progress).Run();
     return result;
 }

@@ -1,8 +1,10 @@
 #include "pbrt/pbrt/run.h"
+#include "pbrt/denoise/denoise.h"
 
 #include <fmt/format.h>
 
 #include "pbrt/cli/threads.h"
+#include "pbrt/denoise/denoise.h"
 #include "pbrt/pbrt/frame.h"
 #include "pbrt/pbrt/messages.h"
 #include "pbrt/reference/explain.h"
@@ -38,6 +40,11 @@ std::optional<std::string> Contradiction(const Arguments &a) {
     if (a.overrides.part && a.overrides.targetError > 0)
         return "--target-error gives no pixel the same number of samples, so that parts by "
                "--sample-range would not fit together: leave one out";
+    if (a.overrides.part && a.denoise)
+        return "--denoise works on whole pictures: join the parts by imgtool merge, then use "
+               "imgtool denoise";
+    if (a.denoise)
+        if (const auto why = WhyNoDenoiser()) return fmt::format("--denoise: {}", *why);
     if (a.frames && a.files.empty())
         return "--frames reads the scene once for each frame: name its file";
     return {};
