@@ -39,9 +39,9 @@ void FeatherBarbulePacket::Set(int i, const FeatherSurface &surface) {
 }
 
 const FeatherBarbulePacket::Model &FeatherBarbulePacket::Barbules() {
-    if (!barbules)
-        barbules.emplace(vane, feather::Nm<V>{thickness}, optics, feather::Nm<V>{roughness});
-    return *barbules;
+    if (barbules) return *barbules;
+    if (tilted != 0) vane.row.Tilt(MaskOf(tilted), {tilt});
+    return barbules.emplace(vane, feather::Nm<V>{thickness}, optics, feather::Nm<V>{roughness});
 }
 
 FeatherBarbulePacket::Spectra FeatherBarbulePacket::f(const Vector3fX16 &wo, const Vector3fX16 &wi,
