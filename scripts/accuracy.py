@@ -110,6 +110,41 @@ def sampling(rows):
     return markdown(["rms error / mean, processor time"] + [f"{n} spp" for n in spp], table)
 
 
+def rough_reflectances(rows):
+    mine = [r for r in rows if r["kind"] == "reflectance"]
+    deviations = sorted({float(r["deviation"]) for r in mine})
+    table = []
+    for angles in dict.fromkeys((r["from"], r["to"]) for r in mine):
+        band = {float(r["deviation"]): r for r in mine if (r["from"], r["to"]) == angles}
+        table.append(["{} to {}".format(*angles), f'{float(band[deviations[0]]["mean"]):.2f}'] +
+                     ["{:.1e} / {:.0e}".format(float(band[d]["rms"]), float(band[d]["most"]))
+                      for d in deviations])
+    return markdown(["incidence, deg", "mean R"] + [f"up to {d:g} nm" for d in deviations], table)
+
+
+def rough_returns(rows):
+    mine = [r for r in rows if r["kind"].startswith("return")]
+    deviations = sorted({float(r["deviation"]) for r in mine})
+    table = []
+    for kind in dict.fromkeys(r["kind"] for r in mine):
+        by = {float(r["deviation"]): r for r in mine if r["kind"] == kind}
+        percent = [[100 * float(by[d][c]) / float(by[d]["mean"]) for c in ("bias", "rms")]
+                   for d in deviations]
+        table.append([kind.split(", ")[1]] + [f"{bias:.2f} / {rms:.2f}" for bias, rms in percent])
+    return markdown(["bias / rms, %"] + [f"{d:g} nm" for d in deviations], table)
+
+
+def rough_times(bench, rough, cells):
+    def ns(kind, row, column="f_ns"):
+        return f"{number(kind[row], column):.1f}"
+    part = "vertex's input"
+    return markdown(["ns", "plain", "`filmroughness` 10", "cells"],
+                    [["f, by 16", ns(bench, RENDERS), ns(rough, RENDERS), ns(cells, RENDERS)],
+                     ["Sample_f, by 16"] + [ns(k, RENDERS, "sample_ns")
+                                            for k in (bench, rough, cells)],
+                     [part, ns(bench, part), ns(rough, part), ns(cells, part)]])
+
+
 def save(figure, name):
     figure.tight_layout()
     figure.savefig(DOCS / "images" / f"{name}.png", dpi=110, metadata={"Software": None})
@@ -162,11 +197,15 @@ def fill(text, name, table):
 def main():
     bench = {row["name"]: row for row in read("default")}
     sparse, thick, bent = ({row["name"]: row for row in read(n)} for n in ["sparse", "thick", "bent"])
+    rough, cells = ({row["name"]: row for row in read(n)} for n in ["rough", "cells"])
+    films = read("rough-films")
     rows = read("sampling")
     plot_quadratures(bench)
     plot_sampling(rows)
     tables = {"targets": targets(bench, sparse), "times": times(bench),
-              "quadratures": quadratures(bench, [thick, bent]), "sampling": sampling(rows)}
+              "quadratures": quadratures(bench, [thick, bent]), "sampling": sampling(rows),
+              "rough reflectances": rough_reflectances(films), "rough returns": rough_returns(films),
+              "rough times": rough_times(bench, rough, cells)}
     for page in [DOCS / "ACCURACY.md", DOCS.parent / "README.md"]:
         text = page.read_text()
         for name, table in tables.items():

@@ -21,5 +21,10 @@ build/bin/bench_feather "$feather \"float thickness\" 2000" --rounds 1 --pairs 1
   --csv docs/accuracy/thick.csv
 build/bin/bench_feather "$feather \"float opening\" 0.6" --rounds 1 --pairs 1000 \
   --csv docs/accuracy/bent.csv
+build/bin/bench_feather "$feather \"float filmroughness\" 10" --rounds 200 --pairs 2000 \
+  --csv docs/accuracy/rough.csv --rough-films docs/accuracy/rough-films.csv
+build/bin/bench_feather "$feather \"float cellthickness\" 10 \"float celltilt\" .05 \"float cellbend\" .03
+  \"float cellsacross\" 40 \"float cellsalong\" 25" --rounds 200 --pairs 50 \
+  --csv docs/accuracy/cells.csv
 build/bin/bench_sampling scenes/dove-swatch/dove-swatch.pbrt >docs/accuracy/sampling.csv
 .venv/bin/python scripts/accuracy.py

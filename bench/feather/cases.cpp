@@ -138,6 +138,16 @@ std::vector<Case> PartCases(const FeatherBarbuleMaterial &material) {
             timed("make a model", Pass([material](const Input &in) {
                       const auto made = ModelOf<FeatherBarbuleBxDF::Model>(material);
                       return made.GapFraction(Local<float>(in.wo));
+                  })),
+            timed("vertex's input", Pass([material](const Input &in) {
+                      TextureEvalContext ctx;
+                      ctx.uv = in.u;
+                      const Frame straight{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+                      const Frame frame =
+                          material.TurnsFrame() ? material.TurnFrame(straight, ctx) : straight;
+                      const FeatherSurface surface =
+                          material.GetPacketInput(ctx, SampledWavelengths::Of(kLambda));
+                      return frame.z.x + surface.thickness + surface.vane.row.Spacing();
                   }))};
 }
 

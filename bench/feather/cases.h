@@ -73,7 +73,7 @@ std::vector<Case> FilmCases();
 /// One sinf, as f: the yardstick between machines.
 Case SineCase();
 /// Parts of featherbarbule, each as f: the lobe R, PDF where the view is known, the gap fraction,
-/// and the making of a model.
+/// the making of a model, and what the renderer asks of the material at a vertex, frame included.
 std::vector<Case> PartCases(const FeatherBarbuleMaterial &material);
 /// PacketCase, and f of featherbarbule with each quadrature of TRT that there is, the renderer's
 /// first; with the error over `pairs` pairs of directions.

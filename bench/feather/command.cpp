@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "bench/feather/cases.h"
+#include "bench/feather/rough_film_errors.h"
 #include "pbrt/bsdftool/command_line.h"
 #include "pbrt/cli/options.h"
 
@@ -20,7 +21,7 @@ constexpr std::string_view kConductor =
 
 struct Options {
     CommonOptions common;
-    std::string csv;
+    std::string csv, roughFilms;
     int rounds = 20, pairs = 1000;
 };
 
@@ -41,6 +42,8 @@ void DefineOptions(CLI::App *app, Options *o) {
     cli::AddNumber(app, "--pairs", &o->pairs, {.lo = 1, .hi = 1000000},
                    "pairs of directions for errors (default: 1000)");
     cli::AddText(app, "--csv", &o->csv, "file for the same table as CSV");
+    cli::AddText(app, "--rough-films", &o->roughFilms,
+                 "file for errors of films of varying thickness, as CSV (half a minute)");
 }
 
 std::vector<Case> Yardsticks() {
@@ -118,6 +121,7 @@ Outcome WithOptions(Options &o) {
     Diagnostics log;
     const auto source = ReadMaterial(o.common, log);
     CheckWritable(o.csv, log);
+    CheckWritable(o.roughFilms, log);
     if (log.HasErrors()) return Finish(log);
 
     std::vector<Case> cases{CaseOf(source->type, source->material)};
@@ -138,6 +142,7 @@ Outcome WithOptions(Options &o) {
     }
     RunTimers(cases, o.rounds);
     WriteText(o.csv, Csv(cases), log);
+    if (!o.roughFilms.empty()) WriteText(o.roughFilms, RoughFilmCsv(), log);
     std::string text = Table(cases) + Ratios(cases[0].row, cases[1].row);
     if (barbule) text += Describe(parts) + DescribeFilms(cases);
     return Finish(log, std::move(text));

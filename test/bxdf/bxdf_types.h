@@ -143,9 +143,11 @@ inline std::vector<BxDFCase<FeatherBarbuleBxDF>> CasesOf() {
     pigment.eta.fill(1);
     pigment.melanin.fill(1);
     film.melanin.fill(0);
-    return {feather("default", {}), feather("round, intersecting", {.aspect = 1}),
+    return {feather("default", {}),
+            feather("round, intersecting", {.aspect = 1}),
             feather("sparse, film alone", {.spacing = 2.5}, film),
             feather("steep, strongly bent", {.spacing = 2.5, .tilt = -0.8, .opening = 0.9}),
+            feather("uneven film", {.spacing = 1.6, .roughness = 25}),
             feather("pigment alone", {.spacing = 1.9, .opening = 0.3}, pigment)};
 }
 

@@ -37,11 +37,13 @@ const std::vector<double> kTilts{-kHalfPi, 0, kHalfPi}, kOpenings{0, 0.0785, 1.5
 template <std::floating_point T>
 std::vector<Barbule<T, 4>> Extremes(const Shape &shape) {
     std::vector<Barbule<T, 4>> barbules;
-    for (double thickness : {0., 1., 590., 2e4, 1e6}) {
+    constexpr double thicknesses[] = {0, 1, 590, 2e4, 1e6}, roughnesses[] = {0, 20, 0, 1e4, 3};
+    for (int k = 0; k < 5; ++k) {
         Optics<T, 4> optics{{T(360), T(830), T(360), T(550)}, {}, {0, 1, 1, 0}};
         optics.eta = {T(1), T(1.0000002), T(1.5), T(3)};
         Shape s = shape;
-        s.thickness = thickness;
+        s.thickness = thicknesses[k];
+        s.roughness = roughnesses[k];
         barbules.push_back(BarbuleOf<T>(s, optics));
     }
     return barbules;

@@ -78,5 +78,31 @@ TEST(Furnace, TrueFilmAtEightyDegreesAlongTheBarbule) {
     EXPECT_GT(sum, 0.2);
 }
 
+// An uneven film over melanin that reflects everything, towards grazing incidence: R and TRT take
+// different means of the film, and must not add up to more than there is.
+TEST(Furnace, RoughFilmMakesNoEnergy) {
+    auto optics = Feather<double>();
+    optics.melanin.fill(1);
+    for (double roughness : {5., 15., 40.})
+        for (double theta : {85., 88., 89.9})
+            for (double phi : {0., 60., 90.}) {
+                const auto barbule = BarbuleOf<double>(Shape{.roughness = roughness}, optics);
+                const auto view = barbule.SeenFrom(Spherical(theta, phi));
+                std::array<double, 4> light{};
+                const int n = 20000;
+                for (int i = 0; i < n; ++i) {
+                    const auto s =
+                        barbule.Sample_f(view, (i + 0.5) / n, std::fmod(i * 0.7548776662466927, 1),
+                                         std::fmod(i * 0.5698402909980532, 1));
+                    if (!s) continue;
+                    for (std::size_t k = 0; k < 4; ++k)
+                        light[k] += s->f[k] * std::abs(s->wi.z) / s->pdf / n;
+                }
+                // Evenly drawn: the sum's own error is some 1e-3.
+                for (double share : light)
+                    EXPECT_LE(share, 1.002) << roughness << " nm, " << theta << ", " << phi;
+            }
+}
+
 }  // namespace
 }  // namespace pbrt::feather

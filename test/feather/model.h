@@ -15,11 +15,13 @@ namespace pbrt::feather {
 
 /// Parameters in double, from which the tests make barbules of either scalar.
 struct Shape {
-    double thickness = 590, spacing = 1.25, tilt = -0.35, aspect = 0.25, opening = 0.0785;
+    double thickness = 590, spacing = 1.25, tilt = -0.35, aspect = 0.25, opening = 0.0785,
+           roughness = 0;
 
     friend std::ostream &operator<<(std::ostream &out, const Shape &s) {
         return out << "thickness " << s.thickness << " spacing " << s.spacing << " tilt " << s.tilt
-                   << " aspect " << s.aspect << " opening " << s.opening;
+                   << " aspect " << s.aspect << " opening " << s.opening << " roughness "
+                   << s.roughness;
     }
 };
 
@@ -27,6 +29,7 @@ template <std::floating_point T>
 BarbuleParams<T> ParamsOf(const Shape &s) {
     BarbuleParams<T> p;
     p.thickness = {T(s.thickness)};
+    p.filmRoughness = {T(s.roughness)};
     p.spacing = T(s.spacing);
     p.tilt = {T(s.tilt)};
     p.aspect = T(s.aspect);

@@ -16,6 +16,7 @@ class Sixteen {
         one[k] = BarbuleOf<T>(shape, at);
         vane.Set(k, Vane<T>(ParamsOf<T>(shape)));
         thickness.Set(k, T(shape.thickness));
+        roughness.Set(k, T(shape.roughness));
         for (int i = 0; i < 4; ++i) {
             optics.lambda[i].Set(k, at.lambda[i]);
             optics.eta[i].Set(k, at.eta[i]);
@@ -23,12 +24,12 @@ class Sixteen {
         }
     }
     const Barbule<T, 4> &One(int k) const { return one[k]; }
-    Wide SideBySide() const { return Wide(vane, {thickness}, optics); }
+    Wide SideBySide() const { return Wide(vane, {thickness}, optics, {roughness}); }
 
   private:
     std::vector<Barbule<T, 4>> one;
     Vane<V> vane;
-    V thickness;
+    V thickness, roughness;
     Optics<V, 4> optics;
 };
 

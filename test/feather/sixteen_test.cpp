@@ -12,9 +12,11 @@ template <std::floating_point T>
 Sixteen<T> AnySixteen(Dice &dice) {
     Sixteen<T> barbules;
     const double thickest = dice.Uniform() < 0.5 ? 700 : 1e4;
+    const bool rough = dice.Uniform() < 0.5;
     for (int k = 0; k < kPacketSize; ++k) {
         Shape shape = dice.Uniform() < 0.3 ? Shape{} : dice.AnyShape();
         shape.thickness = dice.Uniform(0, thickest);
+        if (rough && k % 3 != 0) shape.roughness = dice.Uniform(0, 40);
         barbules.Set(k, shape, Feather<T>({dice.Uniform(360, 830), 520, 590, 660}));
     }
     return barbules;

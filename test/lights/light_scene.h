@@ -48,14 +48,15 @@ struct LightScene {
 
 /// Area lights of `AreaLightSource "diffuse" params` on a shape.
 struct AreaScene {
-    AreaScene(const std::string &params, Shape shapeGiven, FloatTexture alpha = 1.f)
+    AreaScene(const std::string &params, Shape shapeGiven, FloatTexture alpha = 1.f,
+              LightPictures *pictures = nullptr)
         : shape(std::move(shapeGiven)) {
         ParseString("WorldBegin\nAreaLightSource " + params + "\nShape \"sphere\"", "l.pbrt", "",
                     scene, log);
         const Entity &entity = *scene.shapes.begin()->areaLight;
         ParamDict dict(entity.params, entity.loc, "area light \"" + entity.type + "\"",
                        entity.colorSpace, &log);
-        lights = CreateAreaLights(entity.type, dict, {shape, alpha});
+        lights = CreateAreaLights(entity.type, dict, {shape, alpha, nullptr, pictures});
     }
     std::string Messages() const {
         std::string all;

@@ -279,6 +279,28 @@ TEST_F(PictureLights, AnAreaLightShowsThePictureOverItsUV) {
     EXPECT_NE(twice.Messages().find("both \"L\" and \"filename\""), std::string::npos);
 }
 
+TEST_F(PictureLights, ShapesShareThePictureOfTheirAreaLight) {
+    Write(Uneven(4));
+    const std::string file = fmt::format("\"diffuse\" \"string filename\" \"{}\" ", Path("p.exr"));
+    LightPictures pictures;
+    const AreaScene one(file, Rectangle(1, 1, 0), 1.f, &pictures);
+    Put("p.exr", "no picture any more");
+    const AreaScene other(file + "\"float scale\" 2", Rectangle(2, 1, 0), 1.f, &pictures);
+    EXPECT_EQ(one.Messages() + other.Messages(), "");
+    const auto picture = [](const AreaScene &s) {
+        return std::get<DiffuseAreaLight>(s.lights.at(0)).surface->picture;
+    };
+    EXPECT_EQ(picture(one), picture(other));
+}
+
+TEST_F(PictureLights, BlackAreaLightsOfSomePowerAreWarnedOf) {
+    Write(Filled({2, 2}, 0));
+    const std::string file = fmt::format("\"diffuse\" \"string filename\" \"{}\" ", Path("p.exr"));
+    EXPECT_EQ(AreaScene(file, Rectangle(1, 1, 0)).Messages(), "");
+    EXPECT_NE(AreaScene(file + "\"float power\" 3", Rectangle(1, 1, 0)).Messages().find("is black"),
+              std::string::npos);
+}
+
 TEST_F(PictureLights, WhatIsBlackOrTwiceGivenIsSaid) {
     Write(Filled({2, 2}, 0));
     for (const char *type : {"goniometric", "projection"})

@@ -55,6 +55,9 @@ constexpr char kHair[] =
 /// Materials that tell one side of dp/du from the other, and those that do not but have a frame.
 const std::vector<std::string> kMaterials{
     kFeather,
+    "Material \"featherbarbule\" \"float rotation\" 40 \"float filmroughness\" 10 \"float "
+    "cellsacross\" 3 \"float cellsalong\" 4 \"float celltilt\" .1 \"float cellbend\" .2 \"float "
+    "cellthickness\" 20\n",
     "Texture \"r\" \"float\" \"checkerboard\" \"float tex1\" 20 \"float tex2\" -50\n"
     "Material \"featherbarbule\" \"texture rotation\" \"r\"\n",
     kHair,

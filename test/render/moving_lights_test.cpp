@@ -91,8 +91,9 @@ TEST_P(MovingLights, AreFoundByRaysAndBySamplesAlike) {
     // Student's t with 14 degrees of freedom, ten comparisons at 0.001 each: 4.14 sigma.
     EXPECT_NEAR(lights.first, both.first, 4.14 * std::hypot(lights.second, both.second));
     EXPECT_NEAR(bsdf.first, both.first, 4.14 * std::hypot(bsdf.second, both.second));
-    EXPECT_LT(lights.second / lights.first, 0.01);
-    EXPECT_LT(bsdf.second / bsdf.first, 0.03);
+    // These say something.
+    EXPECT_LT(lights.second / lights.first, 0.03);
+    EXPECT_LT(bsdf.second / bsdf.first, 0.05);
 }
 
 TEST_P(MovingLights, ShineAsManyThatRestOnTheirWay) {

@@ -25,7 +25,7 @@ function room_of(name) {
 function note_deps(room, text,    words, n, i) {
     n = split(text, words, /[ ()]+/)
     for (i = 1; i <= n; ++i)
-        if (words[i] ~ /^pbrt_[a-z]+$/ && !((room, substr(words[i], 6)) in declared)) {
+        if (words[i] ~ /^pbrt_[a-z0-9]+$/ && !((room, substr(words[i], 6)) in declared)) {
             declared[room, substr(words[i], 6)] = FILENAME ":" FNR
             deps[room] = deps[room] " " substr(words[i], 6)
         }

@@ -20,9 +20,11 @@ uint32_t SlowNumber(int dimension, uint64_t index) {
         if (j < degree) {
             v[j] = uint64_t(d.first[j]) << (63 - j);
         } else {
-            v[j] = v[j - degree] ^ (v[j - degree] >> degree);
+            // Summed up aside: g++ 14.2 for AVX-512 loses terms of v[j] ^= v[j - i].
+            uint64_t sum = v[j - degree] ^ (v[j - degree] >> degree);
             for (size_t i = 1; i < degree; ++i)
-                if (d.polynomial >> (degree - i) & 1) v[j] ^= v[j - i];
+                if (d.polynomial >> (degree - i) & 1) sum ^= v[j - i];
+            v[j] = sum;
         }
         if (index >> j & 1) number ^= v[j];
     }

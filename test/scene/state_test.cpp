@@ -174,7 +174,7 @@ TEST(State, MovingAreaLight) {
         "AreaLightSource \"diffuse\" ActiveTransform EndTime "
         "Translate 1 0 0\nShape \"a\"");
     EXPECT_EQ(parsed->Messages(), Texts{});
-    const ShapeEntity &shape = *parsed->scene.shapes.begin();
+    const ShapeEntity shape = *parsed->scene.shapes.begin();
     EXPECT_TRUE(shape.areaLight && !(shape.worldFromObject[0] == shape.worldFromObject[1]));
 }
 

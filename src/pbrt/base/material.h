@@ -36,7 +36,7 @@ struct MaterialTraits {
     /// they are worked out at each vertex.
     bool canBeUniform = false;
     /// Has `Frame TurnFrame(const Frame &, const TextureEvalContext &) const`, the frame turned
-    /// about its normal, and `bool TurnsFrame() const`, false where it never is.
+    /// as its axes lie there, and `bool TurnsFrame() const`, false where it never is.
     bool turnsFrame = false;
     /// Has `float NullTransmission(const TextureEvalContext &, Vector3f w) const`: the share, in
     /// [0, 1], of light from direction w (local, in the turned frame) that passes straight through.

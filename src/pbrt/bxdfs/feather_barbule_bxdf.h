@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "pbrt/base/bxdf.h"
 #include "pbrt/feather/barbule.h"
 
@@ -8,8 +10,16 @@ namespace pbrt {
 /// Input of a feather's BxDF at a point.
 struct FeatherSurface {
     feather::Vane<float> vane;
-    float thickness;  ///< of the film, nm
+    std::optional<float> tilt;  ///< of the barbules, if other than the vane's; rad
+    float thickness;            ///< of the film, nm
+    float roughness;            ///< standard deviation of the thickness, nm
     feather::Optics<float, NSpectrumSamples> optics;
+
+    feather::Vane<float> TiltedVane() const {
+        feather::Vane<float> tilted = vane;
+        if (tilt) tilted.row.Tilt(true, {*tilt});
+        return tilted;
+    }
 };
 
 class FeatherBarbulePacket;
@@ -27,7 +37,7 @@ class FeatherBarbuleBxDF {
 
     explicit FeatherBarbuleBxDF(const Model &barbule) : barbule(barbule) {}
     explicit FeatherBarbuleBxDF(const FeatherSurface &at)
-        : barbule(at.vane, {at.thickness}, at.optics) {}
+        : barbule(at.TiltedVane(), {at.thickness}, at.optics, {at.roughness}) {}
 
     BxDFFlags Flags() const { return kFlags; }
     SampledSpectrum f(Vector3f wo, Vector3f wi, TransportMode) const {

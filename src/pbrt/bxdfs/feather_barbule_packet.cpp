@@ -25,7 +25,11 @@ FeatherBarbulePacket::Spectra SpectraOf(const ModelSpectrum &values) {
 
 void FeatherBarbulePacket::Set(int i, const FeatherSurface &surface) {
     vane.Set(i, surface.vane);
+    const LaneBits lane = LaneBits(1) << i;
+    tilted = surface.tilt ? tilted | lane : tilted & ~lane;
+    if (surface.tilt) tilt.Set(i, *surface.tilt);
     thickness.Set(i, surface.thickness);
+    roughness.Set(i, surface.roughness);
     for (size_t k = 0; k < NSpectrumSamples; ++k) {
         optics.lambda[k].Set(i, surface.optics.lambda[k]);
         optics.eta[k].Set(i, surface.optics.eta[k]);
@@ -35,7 +39,8 @@ void FeatherBarbulePacket::Set(int i, const FeatherSurface &surface) {
 }
 
 const FeatherBarbulePacket::Model &FeatherBarbulePacket::Barbules() {
-    if (!barbules) barbules.emplace(vane, feather::Nm<V>{thickness}, optics);
+    if (!barbules)
+        barbules.emplace(vane, feather::Nm<V>{thickness}, optics, feather::Nm<V>{roughness});
     return *barbules;
 }
 

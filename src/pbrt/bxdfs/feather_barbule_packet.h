@@ -41,7 +41,8 @@ class FeatherBarbulePacket {
 
     // Lanes that are never set stay 0: what comes of them is not used.
     feather::Vane<V> vane{};
-    V thickness{};
+    V tilt{}, thickness{}, roughness{};
+    LaneBits tilted = 0;  ///< lanes of other than the vane's tilt
     feather::Optics<V, NSpectrumSamples> optics{};
     std::optional<Model> barbules;
 };

@@ -22,8 +22,11 @@ constexpr size_t kLongestMessage = 10000;
 
 std::string Manual(const Tool &tool) {
     std::string text = fmt::format("usage: {} {}\n\n", tool.name, tool.usage);
+    size_t width = 0;
     for (const Command &command : tool.commands)
-        text += fmt::format("  {:<14}{}\n", command.name, command.summary);
+        width = std::max(width, command.name.size());
+    for (const Command &command : tool.commands)
+        text += fmt::format("  {:<{}}{}\n", command.name, width + 2, command.summary);
     return text +
            fmt::format("\n\"{} help <command>\" lists the options of a command.\n", tool.name);
 }

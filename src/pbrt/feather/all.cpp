@@ -19,6 +19,7 @@
 #include "pigment_rule.h"
 #include "pigment_x16.h"
 #include "quadrature.h"
+#include "rough_film.h"
 #include "row.h"
 #include "thin_film.h"
 #include "units.h"

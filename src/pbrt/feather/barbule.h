@@ -46,15 +46,17 @@ class Barbule {
     /// `params` within kParams' ranges, `optics` within kSpectrumParams'.
     Barbule(const BarbuleParams<T> &params,
             const Optics<V, N> &optics) requires std::floating_point<V>
-        : Barbule(Vane<V>(params), params.thickness, optics) {}
-    Barbule(const Vane<V> &vane, const Nm<V> &thickness, const Optics<V, N> &optics)
+        : Barbule(Vane<V>(params), params.thickness, optics, params.filmRoughness) {}
+    /// `roughness`: standard deviation of the film's thickness.
+    Barbule(const Vane<V> &vane, const Nm<V> &thickness, const Optics<V, N> &optics,
+            const Nm<V> &roughness = {V(0)})
         : row(vane.row),
           bend(vane.bend),
           melanin(optics.melanin),
           meanMelanin(Mean(optics.melanin)),
           averageFilm(Mean(optics.eta)) {
         for (int i = 0; i < N; ++i)
-            films[i] = Film<V>(Nm<V>{optics.lambda[i]}, thickness, optics.eta[i]);
+            films[i] = Film<V>(Nm<V>{optics.lambda[i]}, thickness, optics.eta[i], roughness);
     }
 
     View<V> SeenFrom(const Direction<V> &wo) const {
@@ -175,8 +177,17 @@ class Barbule {
         lit = lit & Sees(row, bend, wi, facet);
         if (!Any(lit)) return;
         const V scale = FacetDensity(row, bend, facet) / (4 * Abs(wo.z) * Abs(wi.z));
+        const V cosine = Min(length * T(0.5), V(1));
+        if (AnyRough(films))
+            AddReflectances<true>(lit, cosine, scale, sum);
+        else
+            AddReflectances<false>(lit, cosine, scale, sum);
+    }
+
+    template <bool kRough>
+    void AddReflectances(const Mask &lit, const V &cosine, const V &scale, Spectrum *sum) const {
         for (int i = 0; i < N; ++i) {
-            const V R = Finite(films[i].Reflectance(Min(length * T(0.5), V(1))) * scale);
+            const V R = Finite(films[i].template ReflectanceIf<kRough>(cosine) * scale);
             (*sum)[i] = Select(lit, (*sum)[i] + R, (*sum)[i]);
         }
     }

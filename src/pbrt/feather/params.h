@@ -25,7 +25,7 @@ constexpr std::string_view UnitName(Unit unit) {
     }
 }
 
-/// One numeric parameter of `Material "featherbarbule"`; every one may be a float texture.
+/// One numeric parameter of `Material "featherbarbule"`.
 struct FloatParam {
     std::string_view name;
     Unit unit;
@@ -42,8 +42,9 @@ struct SpectrumParam {
     std::string_view doc;
 };
 
-/// The table of MODEL section 2: parsing, range errors, the manual and the tests' corners read it.
-inline constexpr std::array<FloatParam, 6> kParams{{
+/// The tables of MODEL section 2: parsing, range errors, the manual and the tests' corners read
+/// them. Each of kParams may be a float texture.
+inline constexpr std::array<FloatParam, 10> kParams{{
     {"thickness", Unit::Nanometre, 590, 0, 1e6, "thickness of the keratin film"},
     {"spacing", Unit::None, 1.25, 0.01, 1e4,
      "distance between neighbouring barbules, in half-widths of a barbule"},
@@ -54,6 +55,21 @@ inline constexpr std::array<FloatParam, 6> kParams{{
     {"opening", Unit::Radian, 0.0785, 0, 1.5,
      "half opening angle of the circular arc that the barbule makes along its length"},
     {"rotation", Unit::Degree, 0, -1e4, 1e4, "turns the barbules about the surface normal"},
+    {"filmroughness", Unit::Nanometre, 0, 0, 1e4,
+     "standard deviation of the film's thickness within a few micrometres"},
+    {"cellthickness", Unit::Nanometre, 0, 0, 1e4,
+     "standard deviation of `thickness` from cell to cell"},
+    {"celltilt", Unit::Radian, 0, 0, 0.3, "standard deviation of `tilt` from cell to cell"},
+    {"cellbend", Unit::Radian, 0, 0, 0.3,
+     "standard deviation, from cell to cell, of a turn about the axis across the barbules"},
+}};
+
+/// The grid of cells: numbers that are the same all over the surface.
+inline constexpr std::array<FloatParam, 3> kCellParams{{
+    {"cellsacross", Unit::None, 0, 0, 1e6, "cells for one unit of u; 0: no cells"},
+    {"cellsalong", Unit::None, 0, 0, 1e6, "cells for one unit of v; 0: no cells"},
+    {"cellshear", Unit::None, 0, -1e3, 1e3,
+     "u that one unit of v is worth: slant of the cells' rows"},
 }};
 
 inline constexpr std::array<SpectrumParam, 2> kSpectrumParams{{
@@ -73,6 +89,7 @@ constexpr const FloatParam &ParamNamed(std::string_view name) {
 template <std::floating_point T>
 struct BarbuleParams {
     Nm<T> thickness{T(ParamNamed("thickness").def)};
+    Nm<T> filmRoughness{T(ParamNamed("filmroughness").def)};
     T spacing = T(ParamNamed("spacing").def);
     Radian<T> tilt{T(ParamNamed("tilt").def)};
     T aspect = T(ParamNamed("aspect").def);

@@ -67,13 +67,14 @@ constexpr GridRule<T, Segments, Points> MakeGridRule() {
 template <std::floating_point T, int Segments, int Points, bool Interleaved>
 inline constexpr auto kGridRule = MakeGridRule<T, Segments, Points, Interleaved>();
 
-/// The integral of TRT (see PigmentIntegral) by a rule known at compile time.
+/// The integral of TRT (see PigmentIntegral) by a rule known at compile time. kRough: of films
+/// whose thickness varies.
 ///
 /// One pair of directions has a text of its own beside PigmentX16's: here a segment's views from wo
 /// and from wi fill the halves of one vector. PigmentX16::Segment with a point of the one pair in
 /// each of eight lanes takes longer: with AVX-512 0 % for 4 x 2 points, 6 % for 8 x 2 and 4 x 4, 3
 /// % for 8 x 4; with AVX2 9, 10, 6 and 2 %.
-template <int Segments, int Points, std::floating_point T, std::size_t N>
+template <bool kRough, int Segments, int Points, std::floating_point T, std::size_t N>
 void PigmentByRule(const Row<T> &row, const Bend<T> &bend, const std::array<Film<T>, N> &films,
                    const Direction<T> &wo, const Direction<T> &wi,
                    const GridRule<T, Segments, Points> &rule, std::array<T, N> *integral) {
@@ -109,7 +110,8 @@ void PigmentByRule(const Row<T> &row, const Bend<T> &bend, const std::array<Film
                 nodes.At(Nodes::Load(&group.point[from]), Nodes::Load(&group.weight[from]));
             // Not a loop, see simd/registers.h.
             [&]<std::size_t... i>(std::index_sequence<i...>) {
-                ((sum[i] = sum[i] + films[i].twice.Weighted(at.weight, at.cosSqrO, at.cosSqrI)),
+                ((sum[i] = sum[i] +
+                           TwiceOf<kRough>(films[i]).Weighted(at.weight, at.cosSqrO, at.cosSqrI)),
                  ...);
             }
             (std::make_index_sequence<N>());
@@ -126,8 +128,11 @@ struct FixedRule {
     static void Integrate(const Row<T> &row, const Bend<T> &bend,
                           const std::array<Film<T>, N> &films, const Direction<T> &wo,
                           const Direction<T> &wi, std::array<T, N> *integral) {
-        PigmentByRule(row, bend, films, wo, wi, kGridRule<T, Segments, Points, Interleaved>,
-                      integral);
+        constexpr auto &rule = kGridRule<T, Segments, Points, Interleaved>;
+        if (AnyRough(films))
+            PigmentByRule<true>(row, bend, films, wo, wi, rule, integral);
+        else
+            PigmentByRule<false>(row, bend, films, wo, wi, rule, integral);
     }
 };
 
@@ -157,7 +162,10 @@ struct AdaptiveRule {
                           const std::array<Film<SimdX16<T>>, N> &films,
                           const Direction<SimdX16<T>> &wo, const Direction<SimdX16<T>> &wi,
                           const MaskFor<SimdX16<T>> &off, std::array<SimdX16<T>, N> *integral) {
-        PigmentX16<T, N>(row, bend, films, wo, wi).Integrate(off, integral);
+        if (AnyRough(films))
+            PigmentX16<T, N, true>(row, bend, films, wo, wi).Integrate(off, integral);
+        else
+            PigmentX16<T, N, false>(row, bend, films, wo, wi).Integrate(off, integral);
     }
 
   private:

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 #include "../simd/math.h"
@@ -28,8 +29,8 @@ namespace pbrt::feather {
 ///
 /// First two segments of every pair, a pair a lane. What pairs with more segments have left is
 /// gathered, a segment a lane; where that fills few lanes, teams of two or four divide a segment's
-/// points.
-template <std::floating_point T, std::size_t N>
+/// points. kRough: some films are.
+template <std::floating_point T, std::size_t N, bool kRough>
 class PigmentX16 {
   public:
     using V = SimdX16<T>;
@@ -156,7 +157,7 @@ class PigmentX16 {
         const IntX16 index = Convert<int32_t>(choice.segments);
         std::array<V, N> more;
         Segment<Points>(
-            row, pairs, [&](std::size_t i) -> auto & { return films[i].twice; },
+            row, pairs, [&](std::size_t i) -> auto & { return TwiceOf<kRough>(films[i]); },
             kFirst[k].NodeAt(index), kFirst[k].WeightAt(index), pointAt, &more);
         for (std::size_t i = 0; i < N; ++i)
             sums[i] = Select(on, sums[i] + more[i], sums[i]);
@@ -201,11 +202,11 @@ class PigmentX16 {
         const IntX16 pairOf = Repeat<kTeam>(pair), segmentOf = Repeat<kTeam>(segment);
         Row<V> rowThere;
         Pairs there;
-        std::array<RoundTripTransmittance<V>, N> filmsThere;
+        std::array<std::remove_cvref_t<decltype(TwiceOf<kRough>(films[0]))>, N> filmsThere;
         PermuteFields(rowThere.Fields(), row.Fields(), pairOf);
         PermuteFields(there.Fields(), std::as_const(pairs).Fields(), pairOf);
         for (std::size_t i = 0; i < N; ++i)
-            PermuteFields(filmsThere[i].Fields(), films[i].twice.Fields(), pairOf);
+            PermuteFields(filmsThere[i].Fields(), TwiceOf<kRough>(films[i]).Fields(), pairOf);
         constexpr auto &points = kTeamPoints<Points, kTeam>;
         std::array<V, N> more;
         Segment<Points / kTeam>(

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <concepts>
 #include <limits>
+#include <numbers>
 #include <tuple>
 
 #include "../simd/math.h"
+#include "../simd/trig.h"
 #include "direction.h"
 #include "units.h"
 
@@ -73,6 +75,19 @@ class Row {
           stepSqr(Dot(step, step)),
           midSlope(std::sqrt(std::max(V(0), 1 / stepSqr - V(0.25)))),
           squash(std::clamp(std::sqrt(aspect), V(0.4), V(2.5))) {}
+
+    /// Gives the barbules another tilt, where asked to. float: sines to 1.5e-7.
+    void Tilt(const MaskFor<V> &where, const Radian<V> &tilt) {
+        using T = ScalarOf<V>;
+        const auto [sine, cosine] = SinCosTurns(V(tilt.value * T(0.5 * std::numbers::inv_pi)));
+        const Planar<V> stepThere{stride * sine, spacing * cosine};
+        const V sqr = Dot(stepThere, stepThere);
+        cosTilt = Select(where, cosine, cosTilt);
+        sinTilt = Select(where, sine, sinTilt);
+        step = Select(where, stepThere, step);
+        stepSqr = Select(where, sqr, stepSqr);
+        midSlope = Select(where, Sqrt(Max(V(0), 1 / sqr - V(T(0.25)))), midSlope);
+    }
 
     V Spacing() const { return spacing; }
     V Aspect() const { return aspect; }

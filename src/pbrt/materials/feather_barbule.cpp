@@ -3,14 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numbers>
+
+#include "pbrt/materials/feather_rows.h"
 
 namespace pbrt {
 namespace {
 
-/// The model's table as rows of the scene language.
-constexpr FloatParam RowOf(const feather::FloatParam &p) {
-    return {p.name, feather::UnitName(p.unit), float(p.def), float(p.lo), float(p.hi), p.doc};
-}
 constexpr SpectrumParam RowOf(const feather::SpectrumParam &p, SpectrumType role) {
     return {p.name, role, p.def, p.doc, float(p.lo), float(p.hi)};
 }
@@ -35,6 +34,16 @@ void CheckRange(ParamDict &params, const SpectrumParam &row, const Spectrum &s) 
     }
 }
 
+Frame Rotated(const Frame &frame, float degrees) {
+    if (degrees == 0) return frame;
+    const float c = std::cos(Radians(degrees)), s = std::sin(Radians(degrees));
+    return {c * frame.x + s * frame.y, c * frame.y - s * frame.x, frame.z};
+}
+Frame Bent(const Frame &frame, float angle) {
+    const auto [s, c] = SinCosTurns(angle * (0.5f * InvPi));
+    return {frame.x, c * frame.y - s * frame.z, s * frame.y + c * frame.z};
+}
+
 }  // namespace
 
 FeatherBarbuleMaterial FeatherBarbuleMaterial::Create(ParamDict &params,
@@ -46,8 +55,23 @@ FeatherBarbuleMaterial FeatherBarbuleMaterial::Create(ParamDict &params,
     CheckRange(params, kEta, m.eta);
     m.melanin = GetSpectrumTexture(params, named, kMelanin);
     if (m.melanin.IsConstant()) CheckRange(params, kMelanin, m.melanin.Constant());
-    if (m.IsConstant({Spacing, Tilt, Aspect, Opening})) m.constantVane = m.MakeVane<float>({});
+    if (m.IsConstant({Spacing, Tilt, Aspect, Opening})) m.evenVane = m.MakeVane<float>({}, {});
+    m.cells = FeatherCells::Create(params);
+    m.CheckCells(params);
     return m;
+}
+
+void FeatherBarbuleMaterial::CheckCells(ParamDict &params) const {
+    if (cells) return;
+    for (const int i : {CellThickness, CellTilt, CellBend}) {
+        if (!Varies(i)) continue;
+        const std::string_view name = feather::kParams[size_t(i)].name;
+        params.Error(name, fmt::format("\"{}\" is how cells differ, and there are none: give "
+                                       "\"cellsacross\" and \"cellsalong\", the number of cells "
+                                       "for one unit of u and of v",
+                                       name));
+        return;
+    }
 }
 
 bool FeatherBarbuleMaterial::IsConstant(std::initializer_list<int> which) const {
@@ -56,18 +80,41 @@ bool FeatherBarbuleMaterial::IsConstant(std::initializer_list<int> which) const 
 }
 
 bool FeatherBarbuleMaterial::IsUniform() const {
-    return constantVane && IsConstant({Thickness, Rotation}) && melanin.IsConstant();
+    return evenVane && IsConstant({Thickness, FilmRoughness, Rotation}) && melanin.IsConstant() &&
+           !cells;
 }
 
-const FeatherBarbuleMaterial::Vane &FeatherBarbuleMaterial::VaneAt(
-    const TextureEvalContext &ctx, std::optional<Vane> *room) const {
-    return constantVane ? *constantVane : room->emplace(MakeVane<float>(ctx));
+FeatherCell FeatherBarbuleMaterial::CellAt(const TextureEvalContext &ctx) const {
+    return cells ? cells.At(ctx) : FeatherCell{};
+}
+
+float FeatherBarbuleMaterial::ThicknessAt(const TextureEvalContext &ctx,
+                                          const FeatherCell &cell) const {
+    const float mean = values[Thickness].Evaluate(ctx);
+    return cells ? std::max(0.f, mean + values[CellThickness].Evaluate(ctx) * cell.thickness)
+                 : mean;
+}
+
+float FeatherBarbuleMaterial::TiltAt(const TextureEvalContext &ctx, const FeatherCell &cell) const {
+    constexpr float upright = std::numbers::pi_v<float> / 2;
+    const float mean = values[Tilt].Evaluate(ctx);
+    return cells ? std::clamp(mean + values[CellTilt].Evaluate(ctx) * cell.tilt, -upright, upright)
+                 : mean;
+}
+
+FeatherBarbuleMaterial::TiltableVane FeatherBarbuleMaterial::VaneAt(const TextureEvalContext &ctx,
+                                                                    const FeatherCell &cell) const {
+    if (!evenVane) return {MakeVane<float>(ctx, cell), {}};
+    if (!cells || !Varies(CellTilt)) return {*evenVane, {}};
+    return {*evenVane, TiltAt(ctx, cell)};
 }
 
 FeatherSurface FeatherBarbuleMaterial::GetPacketInput(const TextureEvalContext &ctx,
                                                       const SampledWavelengths &lambda) const {
-    std::optional<Vane> room;
-    FeatherSurface surface{VaneAt(ctx, &room), values[Thickness].Evaluate(ctx), {}};
+    const FeatherCell cell = CellAt(ctx);
+    const auto [vane, tilt] = VaneAt(ctx, cell);
+    FeatherSurface surface{
+        vane, tilt, ThicknessAt(ctx, cell), values[FilmRoughness].Evaluate(ctx), {}};
     const SampledSpectrum etas = eta.Sample(lambda), reflectance = melanin.Evaluate(ctx, lambda);
     for (int i = 0; i < NSpectrumSamples; ++i) {
         surface.optics.lambda[i] = lambda[i];
@@ -78,15 +125,15 @@ FeatherSurface FeatherBarbuleMaterial::GetPacketInput(const TextureEvalContext &
 }
 
 Frame FeatherBarbuleMaterial::TurnFrame(const Frame &frame, const TextureEvalContext &ctx) const {
-    const float degrees = values[Rotation].Evaluate(ctx);
-    if (degrees == 0) return frame;
-    const float c = std::cos(Radians(degrees)), s = std::sin(Radians(degrees));
-    return {c * frame.x + s * frame.y, c * frame.y - s * frame.x, frame.z};
+    const Frame rotated = Rotated(frame, values[Rotation].Evaluate(ctx));
+    if (!cells || !Varies(CellBend)) return rotated;
+    return Bent(rotated, values[CellBend].Evaluate(ctx) * cells.At(ctx).bend);
 }
 
 float FeatherBarbuleMaterial::NullTransmission(const TextureEvalContext &ctx, Vector3f w) const {
-    std::optional<Vane> room;
-    return VaneAt(ctx, &room).GapFraction({w.x, w.y, w.z});
+    auto [vane, tilt] = VaneAt(ctx, CellAt(ctx));
+    if (tilt) vane.row.Tilt(true, {*tilt});
+    return vane.GapFraction({w.x, w.y, w.z});
 }
 
 std::string FeatherBarbuleMaterial::Warnings(const ClampCounts &counts) const {

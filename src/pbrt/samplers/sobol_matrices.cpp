@@ -20,9 +20,11 @@ std::array<uint32_t, kColumns> Columns(const SobolDirections &d) {
             columns[j] = ReverseBits32(uint32_t(d.first[j])) >> (31 - j);
             continue;
         }
-        columns[j] = columns[j - degree] ^ (columns[j - degree] << degree);
+        // Summed up aside: g++ 14.2 for AVX-512 loses terms of columns[j] ^= columns[j - back].
+        uint32_t sum = columns[j - degree] ^ (columns[j - degree] << degree);
         for (size_t back = 1; back < degree; ++back)
-            if (d.polynomial >> (degree - back) & 1) columns[j] ^= columns[j - back];
+            if (d.polynomial >> (degree - back) & 1) sum ^= columns[j - back];
+        columns[j] = sum;
     }
     return columns;
 }

@@ -75,7 +75,7 @@ class AffineTransform {
     using Rows = std::array<std::array<float, 4>, 3>;
 
     AffineTransform() : AffineTransform(Transform()) {}
-    /// The last row of t's matrices is (0, 0, 0, 1), see IsAffine.
+    /// t IsAffine.
     explicit AffineTransform(const Transform &t) {
         for (size_t i = 0; i < 3; ++i)
             m[i] = t.Matrix()[i], mInv[i] = t.InverseMatrix()[i];
@@ -93,7 +93,7 @@ class AffineTransform {
 
 inline bool IsAffine(const Transform &t) {
     constexpr std::array<float, 4> last{0, 0, 0, 1};
-    return t.Matrix()[3] == last && t.InverseMatrix()[3] == last;
+    return t.Matrix()[3] == last;
 }
 
 }  // namespace pbrt
