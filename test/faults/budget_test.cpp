@@ -24,9 +24,9 @@ TEST_F(FaultsOfBudget, Film) {
 /// A limit that the program sets itself.
 TEST_F(FaultsOfBudget, LimitOfTheCommandLine) {
     SKIP_WHERE_SANITIZED();
-    PutScene("Shape \"sphere\"", 6000);  // 1.3 GB
+    PutScene("Shape \"sphere\"", 6000);  // 3.6 GB
     const Outcome limited = Render({}, {"--memory-limit", "1G", "--spp", "1"});
-    EXPECT_TRUE(Refused(limited, "needs 1.3 GB of memory, 9")) << limited.said;
+    EXPECT_TRUE(Refused(limited, "needs 3.6 GB of memory, 9")) << limited.said;
     EXPECT_EQ(Render({}, {"--memory-limit=1G", "--pixel", "7,7"}).exitCode, 0);
     EXPECT_TRUE(Refused(Render({}, {"--memory-limit", "much"}), "\"much\" is no size"));
     for (const char *tool : {"imgtool", "bsdftool", "feathergen"})

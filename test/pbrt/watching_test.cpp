@@ -202,8 +202,8 @@ TEST_F(Watching, ATerminalShowsProgress) {
     PutBall("\"rgb\"");
     const std::string said =
         Succeed("script -qec 'pbrt ball.pbrt --spp 4096 --outfile out.exr' /dev/null < /dev/null");
-    EXPECT_NE(said.find("parsing: "), std::string::npos) << said;
-    EXPECT_NE(said.find("building: "), std::string::npos) << said;
+    EXPECT_NE(said.find("Parsing: "), std::string::npos) << said;
+    EXPECT_NE(said.find("Building: "), std::string::npos) << said;
     EXPECT_TRUE(std::regex_search(
         said, std::regex("Rendering: .*[0-9]+% [0-9.]+/4096 spp, [0-9.]+ Mrays/s, [0-9.]+ s, "
                          "[0-9.]+ (s|min [0-9]+ s) left")))

@@ -272,8 +272,8 @@ FrameResult RenderFrame(const Arguments &a, const std::optional<std::string> &th
     SceneDescription description;
     description.options = a.options;
     auto start = std::chrono::steady_clock::now();
-    const std::string what = frame ? fmt::format("Frame {}: ", *frame) : std::string();
-    progress.Begin(what + "parsing");
+    const std::string frameText = frame ? fmt::format(", frame {}", *frame) : std::string();
+    progress.Begin("Parsing" + frameText);
     ParseFiles(a.files, description, log);
     times.parse = Seconds(start);
     FrameResult result;
@@ -289,7 +289,7 @@ FrameResult RenderFrame(const Arguments &a, const std::optional<std::string> &th
     }
     if (result.skipped) return result;
     start = std::chrono::steady_clock::now();
-    progress.Begin(what + "building");
+    progress.Begin("Building" + frameText);
     const std::string_view film = description.film.type;
     const bool onlyColors = a.denoise && (film.empty() || film == RGBFilm::kName);
     std::optional<Ready> ready = Build(std::move(description), a, log);

@@ -46,6 +46,7 @@ void Print(const Diagnostics &log, bool quiet) {
 }
 
 std::string DurationText(double seconds) {
+    if (seconds < 0.1) return fmt::format("{:.2f} s", seconds);
     if (seconds < 9.95) return fmt::format("{:.2g} s", seconds);
     const auto whole = int64_t(std::lround(seconds));
     if (whole < 60) return fmt::format("{} s", whole);

@@ -10,6 +10,7 @@
 
 #include "pbrt/scene/quoted_words.h"
 #include "pbrt/scene/scene_file.h"
+#include "pbrt/util/memory.h"
 
 namespace pbrt {
 namespace {
@@ -18,8 +19,13 @@ Digest ToDigest(XXH128_hash_t hash) {
     return {hash.low64, hash.high64};
 }
 
-/// Of a file's bytes; that of nothing where it cannot be read.
+/// Of a file's bytes; that of nothing where it cannot be read. What memory could not hold, so that
+/// no plug-in reads it, counts by its size.
 Digest DigestOfFile(const std::string &name) {
+    std::error_code unknown;
+    const uint64_t size = std::filesystem::file_size(name, unknown);
+    if (unknown) return DigestOf({});
+    if (size > AvailableMemory()) return DigestOf(fmt::format("{} bytes", size));
     const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(),
                                                                          XXH3_freeState);
     XXH3_128bits_reset(state.get());
