@@ -102,7 +102,7 @@ TEST(BxDFPacket, FeathersAreNearlyAsOneByOne) {
                                        .spacing = i % 2 ? 2.5 : 1.25,
                                        .opening = i % 3 ? 0.0785 : 0.4};
             return FeatherSurface{feather::Vane<float>(feather::ParamsOf<float>(shape)),
-                                  i % 5 < 3 ? std::optional<float>() : -0.1f * float(i % 7),
+                                  i % 5 < 3 ? std::optional<float>() : -0.25f - 0.01f * float(i),
                                   float(shape.thickness), i % 4 < 2 ? 0 : 5.f * float(i),
                                   feather::Feather<float>()};
         },
