@@ -48,6 +48,8 @@ TEST(Upstream, NamesAreToldToBeNotBuiltHere) {
             said += m.text + '\n';
         const bool isPlugIn = quote == row.kind.npos;
         if (isPlugIn && said.find("unknown parameter") != said.npos) continue;  // built since
+        // Read by the plug-in, which refuses values of it by itself, as CoatParams does.
+        if (!isPlugIn && said.find(": expected \"texture ") != said.npos) continue;
         EXPECT_NE(said.find(": pbrt-v4 has it; not built here. "), std::string::npos) << said;
         // Of an unknown plug-in no parameter is reported, too.
         if (isPlugIn) {

@@ -204,8 +204,7 @@ class ShapeBuilder {
         for (const Transform &t : renderFromObject)
             if (!IsAffine(t))
                 return log.Error(loc,
-                                 "this cannot be placed: the last row of its transformation's "
-                                 "matrix is not 0 0 0 1");
+                                 "this cannot be placed: its transformation is a perspective one");
         Instance instance{part.object, AffineTransform(renderFromObject[0])};
         if (!(renderFromObject[0] == renderFromObject[1])) {
             scene.isAnimated = true;

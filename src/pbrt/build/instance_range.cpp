@@ -30,8 +30,6 @@ double TermsOfDeterminant(const Matrix4 &m) {
 }
 
 std::optional<std::string> WhyNotInverted(const Transform &t) {
-    if (t.Matrix()[3] != std::array<float, 4>{0, 0, 0, 1})
-        return "its transformation is a perspective one";
     const double volume = std::abs(Determinant(t.Matrix()));
     if (!(volume >= kSmallestDeterminant && volume <= kLargestDeterminant))
         return fmt::format("its transformation scales volumes by {:g}; {:g} to {:g} can be traced",

@@ -1,5 +1,4 @@
 #include "pbrt/pbrt/run.h"
-#include "pbrt/denoise/denoise.h"
 
 #include <fmt/format.h>
 
