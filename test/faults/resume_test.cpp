@@ -202,10 +202,10 @@ TEST_F(Resume, AFullDiskLeavesTheOlderCheckpoint) {
     ASSERT_EQ(StopWithCheckpoint(SIGTERM, many).exitCode, 128 + SIGTERM);
     const std::string older = Get("half.ck");
     {
-        // 48 x 32 pixels of 64 bytes are 98 kB; the partial picture has 16.
+        // Half a checkpoint (64 bytes a pixel) fits; the partial picture is a sixth of one.
         std::vector<std::string> args = Line({"--checkpoint", "half.ck,0", "--resume", "half.ck"});
         args.insert(args.end(), many.begin(), many.end());
-        Process pbrt("pbrt", args, folder, {.fileSize = 50000});
+        Process pbrt("pbrt", args, folder, {.fileSize = older.size() / 2});
         ASSERT_TRUE(
             pbrt.Says("no checkpoint: half.ck: cannot be written: File too large; "
                       "rendering goes on"));
