@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # scripts/denoiser.sh: installs Open Image Denoise for "imgtool denoise" and "pbrt --denoise": the
-# Python package pyoidn 2.5.1, which holds the library (88 MB to fetch, 260 MB on disk), into a
+# Python package pyoidn 2.5.1, which holds the library (88 MB to fetch, 270 MB on disk), into a
 # folder of its own, ~/.local/share/pbrt-feather/denoiser. Deleting that folder takes it away again.
 set -euo pipefail
 

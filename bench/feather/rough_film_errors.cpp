@@ -27,7 +27,7 @@ struct Found {
 struct Errors {
     double mean = 0, bias = 0, rms = 0, most = 0;
 };
-/// Of kCases random cases.
+/// Errors over kCases random cases.
 Errors Measure(const std::function<Found(Rng &)> &one) {
     std::vector<Found> found(kCases);
     tbb::parallel_for(0, kCases, [&](int i) {

@@ -105,9 +105,8 @@ TEST_F(ProgramOptions, ListsTakeNothingOfTheFileNamesBehindThem) {
             ++visited;
         }
     }
-    // Of pbrt --cropwindow, --pixelbounds, --pixel and --checkpoint; of bsdftool --thetas twice,
-    // --phis,
-    // --light and --wavelengths; of imgtool --crop and --channels of several commands.
+    // pbrt has --cropwindow, --pixelbounds, --pixel and --checkpoint; bsdftool --thetas twice,
+    // --phis, --light and --wavelengths; several commands of imgtool have --crop and --channels.
     EXPECT_EQ(visited, 21);
 }
 

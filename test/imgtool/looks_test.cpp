@@ -72,7 +72,7 @@ TEST(ColorMap, ViridisIsMonotoneInGreenAndTakesAnyNumber) {
 }
 
 TEST_F(Looks, WhiteBalanceMakesTheIlluminantWhite) {
-    // What a white surface is under daylight of 5000 K, in sRGB.
+    // The color of a white surface under daylight of 5000 K, in sRGB.
     const XYZ xyz = SpectrumToXYZ(Spectrum::Daylight(5000));
     const RGB rgb = RGBColorSpace::sRGB().ToRGB(xyz);
     const std::string file = Save("a.exr", Picture({1, 1}, kRGB, {rgb.r, rgb.g, rgb.b}));

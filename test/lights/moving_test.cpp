@@ -83,7 +83,7 @@ TEST(MovingAreaLight, SamplesHaveTheDensityOfHits) {
             const auto s = SampleLi(lights[0], ctx, UniformSquare(rng), kLambda);
             if (!s) continue;
             ++samples;
-            // Where the light is at that time, the shadow ray's end is on it.
+            // The shadow ray ends on the light as it stands at that time.
             const Transform t = TransformAt(motion, time);
             const Point3f own = t.Inverse().Point(s->pLight);
             const Vector3f n = flat ? Normalize(Vector3f{-.5f, .15f, 2}) : own;

@@ -115,7 +115,7 @@ TEST(FeatherCells, OfFacesAndSeeds) {
     EXPECT_FALSE(Grid("\"float cellsalong\" 5"));
 }
 
-/// What a material says of a point, by all its members.
+/// The answers of a material at a point, by all its members.
 struct Said {
     SampledSpectrum f, wide;
     Frame frame;

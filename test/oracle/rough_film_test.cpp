@@ -57,7 +57,7 @@ TEST(RoughFilm, Table) {
 struct Errors {
     double rms, most;
 };
-/// Of unpolarised reflectance, over films of 100 to 2000 nm and visible light.
+/// Errors of unpolarised reflectance, over films of 100 to 2000 nm and visible light.
 Errors ErrorsOf(double least, double steepest, double roughest) {
     std::mt19937_64 random(1);
     const auto uniform = [&](double lo, double hi) {
@@ -121,7 +121,7 @@ TEST(RoughFilm, MeanOverAFringeIsExact) {
         }
 }
 
-// Where no fringe is left.
+// No fringe is left.
 TEST(RoughFilm, TendsToTheIncoherentSum) {
     for (const double degrees : {0., 40., 80.}) {
         const double c = Cosine(degrees), eta = 1.55, inside = CosineInside(eta, c);

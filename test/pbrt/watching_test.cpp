@@ -1,4 +1,4 @@
-// What can be seen of a render while it goes on.
+// Watching a render while it goes on.
 
 #include <arpa/inet.h>
 #include <poll.h>

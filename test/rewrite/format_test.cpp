@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a scene says, brackets apart, which are the same with and without around one value.
+/// The tokens of a scene, brackets apart, which are the same with and without around one value.
 std::vector<std::string> Tokens(const std::string &text) {
     Diagnostics log;
     std::vector<std::string> tokens;

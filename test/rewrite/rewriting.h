@@ -22,7 +22,7 @@ inline Rewritten Rewrite(const std::string &text, rewrite::Task task,
     return r;
 }
 
-/// Where there must be no message.
+/// The formatted text, of which there must be no message.
 inline std::string Formatted(const std::string &text) {
     const Rewritten r = Rewrite(text, rewrite::Task::Format);
     EXPECT_EQ(r.messages, "");

@@ -1,4 +1,4 @@
-// What a scene is made of, as a number.
+// The content of a scene, as a number.
 
 #include "pbrt/scene/scene_content.h"
 

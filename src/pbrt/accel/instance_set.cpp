@@ -9,27 +9,25 @@ namespace pbrt {
 namespace {
 
 /// One instance in the callbacks.
-struct Placed {
-    RTCScene object;
-    const AffineTransform::Rows &objectFromRender;
-    uint32_t id;  ///< in hits
-
+class Placed {
+  public:
     Placed(const void *user, unsigned primitive)
-        : Placed(*static_cast<const InstanceSet *>(user), primitive) {}
+        : set(*static_cast<const InstanceSet *>(user)), index(set.resting[primitive]) {}
 
-    /// Origins and directions of the wanted rays of a packet of n; all else as it is.
-    template <typename R>
-    void TakeRay(RTCRayN *rays, unsigned n, unsigned i, R *to) const {
-        const auto &m = objectFromRender;
-        const float ox = RTCRayN_org_x(rays, n, i), oy = RTCRayN_org_y(rays, n, i),
-                    oz = RTCRayN_org_z(rays, n, i), dx = RTCRayN_dir_x(rays, n, i),
-                    dy = RTCRayN_dir_y(rays, n, i), dz = RTCRayN_dir_z(rays, n, i);
-        to->org_x = m[0][0] * ox + m[0][1] * oy + m[0][2] * oz + m[0][3];
-        to->org_y = m[1][0] * ox + m[1][1] * oy + m[1][2] * oz + m[1][3];
-        to->org_z = m[2][0] * ox + m[2][1] * oy + m[2][2] * oz + m[2][3];
-        to->dir_x = m[0][0] * dx + m[0][1] * dy + m[0][2] * dz;
-        to->dir_y = m[1][0] * dx + m[1][1] * dy + m[1][2] * dz;
-        to->dir_z = m[2][0] * dx + m[2][1] * dy + m[2][2] * dz;
+    RTCScene Object() const { return set.objects[TheInstance().object]; }
+    /// As hits name it.
+    uint32_t Id() const { return set.firstId + index; }
+    const Instance &TheInstance() const { return set.instances[index]; }
+
+    /// Ray i of a packet of n, in the object's space.
+    void TakeRay(RTCRayN *rays, unsigned n, unsigned i, RTCRay *to) const {
+        const AffineTransform &t = TheInstance().renderFromObject;
+        const Point3f o = t.InversePoint(Point3f{
+            RTCRayN_org_x(rays, n, i), RTCRayN_org_y(rays, n, i), RTCRayN_org_z(rays, n, i)});
+        const Vector3f d = t.InverseVector(Vector3f{
+            RTCRayN_dir_x(rays, n, i), RTCRayN_dir_y(rays, n, i), RTCRayN_dir_z(rays, n, i)});
+        to->org_x = o.x, to->org_y = o.y, to->org_z = o.z;
+        to->dir_x = d.x, to->dir_y = d.y, to->dir_z = d.z;
         to->tnear = RTCRayN_tnear(rays, n, i);
         to->tfar = RTCRayN_tfar(rays, n, i);
         to->time = RTCRayN_time(rays, n, i);
@@ -38,28 +36,21 @@ struct Placed {
         to->flags = RTCRayN_flags(rays, n, i);
     }
 
-    /// The same for a packet of sixteen.
+    /// The same for all of a packet of sixteen.
     void TakeRays(const RTCRay16 &rays, RTCRay16 *to) const {
-        const auto &m = objectFromRender;
-        const FloatX16 ox = LoadX16(rays.org_x), oy = LoadX16(rays.org_y), oz = LoadX16(rays.org_z),
-                       dx = LoadX16(rays.dir_x), dy = LoadX16(rays.dir_y), dz = LoadX16(rays.dir_z);
+        const AffineTransform &t = TheInstance().renderFromObject;
+        const Point3fX16 o = t.InversePoint(
+            Point3fX16{LoadX16(rays.org_x), LoadX16(rays.org_y), LoadX16(rays.org_z)});
+        const Vector3fX16 d = t.InverseVector(
+            Vector3fX16{LoadX16(rays.dir_x), LoadX16(rays.dir_y), LoadX16(rays.dir_z)});
         *to = rays;
-        Store(m[0][0] * ox + m[0][1] * oy + m[0][2] * oz + m[0][3], to->org_x);
-        Store(m[1][0] * ox + m[1][1] * oy + m[1][2] * oz + m[1][3], to->org_y);
-        Store(m[2][0] * ox + m[2][1] * oy + m[2][2] * oz + m[2][3], to->org_z);
-        Store(m[0][0] * dx + m[0][1] * dy + m[0][2] * dz, to->dir_x);
-        Store(m[1][0] * dx + m[1][1] * dy + m[1][2] * dz, to->dir_y);
-        Store(m[2][0] * dx + m[2][1] * dy + m[2][2] * dz, to->dir_z);
+        Store(o.x, to->org_x), Store(o.y, to->org_y), Store(o.z, to->org_z);
+        Store(d.x, to->dir_x), Store(d.y, to->dir_y), Store(d.z, to->dir_z);
     }
 
   private:
-    Placed(const InstanceSet &set, unsigned primitive)
-        : Placed(set, set.instances[set.resting[primitive]], set.firstId + set.resting[primitive]) {
-    }
-    Placed(const InstanceSet &set, const Instance &instance, uint32_t id)
-        : object(set.objects[instance.object]),
-          objectFromRender(instance.renderFromObject.InverseRows()),
-          id(id) {}
+    const InstanceSet &set;
+    uint32_t index;
 };
 
 /// Says to hits and callbacks in which instance they are.
@@ -80,7 +71,7 @@ void IntersectRay(const Placed &placed, const RTCIntersectFunctionNArguments *ar
     RTCRayHit local;
     placed.TakeRay(rays, n, i, &local.ray);
     local.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    Intersect1(placed.object, args->context, &local);
+    Intersect1(placed.Object(), args->context, &local);
     if (local.hit.geomID == RTC_INVALID_GEOMETRY_ID) return;
     RTCHitN *const hits = RTCRayHitN_HitN(args->rayhit, n);
     RTCRayN_tfar(rays, n, i) = local.ray.tfar;
@@ -88,7 +79,7 @@ void IntersectRay(const Placed &placed, const RTCIntersectFunctionNArguments *ar
     RTCHitN_v(hits, n, i) = local.hit.v;
     RTCHitN_primID(hits, n, i) = local.hit.primID;
     RTCHitN_geomID(hits, n, i) = local.hit.geomID;
-    RTCHitN_instID(hits, n, i, 0) = placed.id;
+    RTCHitN_instID(hits, n, i, 0) = placed.Id();
 }
 
 void IntersectPacket(const Placed &placed, const RTCIntersectFunctionNArguments *args) {
@@ -96,7 +87,7 @@ void IntersectPacket(const Placed &placed, const RTCIntersectFunctionNArguments 
     RTCRayHit16 local;
     placed.TakeRays(packet.ray, &local.ray);
     Store(UintX16(RTC_INVALID_GEOMETRY_ID), local.hit.geomID);
-    Intersect16(placed.object, args->context, args->valid, &local, false);
+    Intersect16(placed.Object(), args->context, args->valid, &local, false);
     const MaskX16 met =
         (LoadX16(args->valid) != 0) & (LoadX16(local.hit.geomID) != RTC_INVALID_GEOMETRY_ID);
     const auto take = [met](const auto *from, auto *to) {
@@ -107,13 +98,13 @@ void IntersectPacket(const Placed &placed, const RTCIntersectFunctionNArguments 
     take(local.hit.v, packet.hit.v);
     take(local.hit.primID, packet.hit.primID);
     take(local.hit.geomID, packet.hit.geomID);
-    Store(Select(met, UintX16(placed.id), LoadX16(packet.hit.instID[0])), packet.hit.instID[0]);
+    Store(Select(met, UintX16(placed.Id()), LoadX16(packet.hit.instID[0])), packet.hit.instID[0]);
 }
 
 void OccludeRay(const Placed &placed, const RTCOccludedFunctionNArguments *args, unsigned i) {
     RTCRay local;
     placed.TakeRay(args->ray, args->N, i, &local);
-    Occluded1(placed.object, args->context, &local);
+    Occluded1(placed.Object(), args->context, &local);
     if (local.tfar < 0) RTCRayN_tfar(args->ray, args->N, i) = -Infinity;
 }
 
@@ -121,7 +112,7 @@ void OccludePacket(const Placed &placed, const RTCOccludedFunctionNArguments *ar
     auto &packet = *reinterpret_cast<RTCRay16 *>(args->ray);
     RTCRay16 local;
     placed.TakeRays(packet, &local);
-    Occluded16(placed.object, args->context, args->valid, &local);
+    Occluded16(placed.Object(), args->context, args->valid, &local);
     const MaskX16 met = (LoadX16(args->valid) != 0) & (LoadX16(local.tfar) < 0);
     Store(Select(met, -Infinity, LoadX16(packet.tfar)), packet.tfar);
 }
@@ -131,7 +122,7 @@ void OccludePacket(const Placed &placed, const RTCOccludedFunctionNArguments *ar
 template <typename Args, typename One, typename Many>
 void ForRays(const Args *args, One one, Many many) {
     const Placed placed(args->geometryUserPtr, args->primID);
-    const Inside inside(args->context, placed.id);
+    const Inside inside(args->context, placed.Id());
     if (args->N == kPacketSize && !std::has_single_bit(BitsOf(LoadX16(args->valid) != 0)))
         return many(placed, args);
     for (unsigned i = 0; i < args->N; ++i)
@@ -148,13 +139,12 @@ void OccludeInstance(const RTCOccludedFunctionNArguments *args) {
 
 /// The object's bounds, moved, and wider by the roundings of that.
 void InstanceBounds(const RTCBoundsFunctionArguments *args) {
-    const auto &set = *static_cast<const InstanceSet *>(args->geometryUserPtr);
-    const Instance &instance = set.instances[set.resting[args->primID]];
+    const Placed placed(args->geometryUserPtr, args->primID);
     RTCBounds b;
-    rtcGetSceneBounds(set.objects[instance.object], &b);
+    rtcGetSceneBounds(placed.Object(), &b);
     const Bounds3f object{{b.lower_x, b.lower_y, b.lower_z}, {b.upper_x, b.upper_y, b.upper_z}};
     const Vector3f farthest = Max(Abs(Vector3f(object.min)), Abs(Vector3f(object.max)));
-    const Transform renderFromObject = instance.Key(0);
+    const Transform renderFromObject = placed.TheInstance().Key(0);
     const Vector3f rounding = Gamma(4) * AbsPoint(renderFromObject.Matrix(), farthest);
     Bounds3f moved = renderFromObject.Bounds(object);
     moved.min = moved.min - rounding;

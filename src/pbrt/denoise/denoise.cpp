@@ -69,7 +69,7 @@ class Oidn {
         if (!albedo->empty()) library.setFilterBool(filter, "cleanAux", true);
         Run(filter);
     }
-    /// What went wrong, or nothing.
+    /// The library's complaint, or nothing.
     std::optional<std::string> Problem() const {
         const char *why = nullptr;
         if (library.getDeviceError(device, &why) == 0 && device) return {};

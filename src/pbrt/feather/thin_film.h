@@ -256,7 +256,7 @@ bool AnyRough(const std::array<Film<V>, N> &films) {
     return Any(films[0].IsRough());
 }
 
-/// What passes the film twice; where it is known to be even, for less.
+/// The share that passes the film twice; of a film known to be even, for less.
 template <bool kRough, class V>
 [[gnu::always_inline]] inline const auto &TwiceOf(const Film<V> &film) {
     if constexpr (kRough)

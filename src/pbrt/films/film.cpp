@@ -84,8 +84,8 @@ Film Film::Create(const SceneDescription &scene, const FilmOverrides &overrides,
 
 Film Film::Create(std::string_view type, ParamDict &params, const FilmOverrides &overrides) {
     Film film;
-    const bool guides = overrides.denoised && type == RGBFilm::kName;
-    if (guides) type = GBufferFilm::kName;
+    film.forDenoiserOnly = overrides.denoised && type == RGBFilm::kName;
+    if (film.forDenoiserOnly) type = GBufferFilm::kName;
     Point2i full{params.GetOneInt(kXResolution), params.GetOneInt(kYResolution)};
     if (overrides.quick) full = {std::max(1, full.x / 4), std::max(1, full.y / 4)};
     film.fullResolution = full;
@@ -98,7 +98,7 @@ Film Film::Create(std::string_view type, ParamDict &params, const FilmOverrides 
         params.Error(UnknownName("film", type, FilmTypes::kNames));
         return film;
     }
-    film.fileName = ReadFileName(params, overrides, film.traits.exrOnly && !guides);
+    film.fileName = ReadFileName(params, overrides, film.traits.exrOnly && !film.forDenoiserOnly);
     film.colorSpace = &params.ColorSpace();
     film.format = params.GetOneBool(kSaveFp16) ? ExrPixels::Half : ExrPixels::Float;
     film.sensor = Sensor::Create(params, *film.colorSpace);

@@ -66,6 +66,8 @@ class Film {
     /// The pixels that are wanted, of the full resolution's.
     const PixelBounds &Bounds() const { return bounds; }
     const std::string &FileName() const { return fileName; }
+    /// True where the channels beside R, G and B are for the denoiser only (FilmOverrides).
+    bool ForDenoiserOnly() const { return forDenoiserOnly; }
     const RGBColorSpace &ColorSpace() const { return *colorSpace; }
     ExrPixels Format() const { return format; }
 
@@ -147,6 +149,7 @@ class Film {
     Sensor sensor;
     FilmTypes::Variant type;
     FilmTraits traits;
+    bool forDenoiserOnly = false;
 };
 
 }  // namespace pbrt

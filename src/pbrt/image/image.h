@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "pbrt/util/matrix.h"
 #include "pbrt/util/read_file.h"
 #include "pbrt/util/result.h"
 #include "pbrt/util/vecmath.h"
@@ -60,6 +61,11 @@ class Image {
     std::vector<float> pixels;
 };
 
+/// The named channels in this order. The error lists those that the image has.
+OrError<Image> SelectChannels(const Image &image, const std::vector<std::string> &names);
+/// Applies m to the channels R, G and B; false, and nothing done, where one of them is missing.
+bool TransformRGB(const Matrix3 &m, Image *image);
+
 /// Relation between stored and linear values.
 struct ColorEncoding {
     enum class Kind { Linear, sRGB, Gamma } kind = Kind::Linear;
@@ -70,10 +76,10 @@ struct ColorEncoding {
 
 /// Reads EXR, PNG, JPEG, PFM, Radiance HDR, QOI and TGA, told apart by their first bytes. PNG,
 /// JPEG, QOI and TGA are decoded by `encoding` (default sRGB, alpha always linear), but for QOI
-/// files that say of themselves that they are linear; the others hold linear values. Channels: R G B, then A, or Y, as the file has them; those of EXR sorted by
-/// layer, in a layer R G B A or X Y Z first, the rest by name. Of an EXR file of several parts the
-/// first is read, and metadata.unread says so. An image that would need more memory than there is,
-/// is refused before any is taken.
+/// files that say of themselves that they are linear; the others hold linear values. Channels: R G
+/// B, then A, or Y, as the file has them; those of EXR sorted by layer, in a layer R G B A or X Y Z
+/// first, the rest by name. Of an EXR file of several parts the first is read, and metadata.unread
+/// says so. An image that would need more memory than there is, is refused before any is taken.
 OrError<Image> ReadImage(const std::string &fileName,
                          std::optional<ColorEncoding> encoding = std::nullopt,
                          Pipes pipes = Pipes::Refused);

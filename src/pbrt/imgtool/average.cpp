@@ -101,8 +101,7 @@ struct Options {
 constexpr char kDescription[] =
     "Averages pictures, each weighted by its number of samples. Two that hold the same samples "
     "(scene, seed and range agree), or the same values, are refused. Values that are not numbers "
-    "are "
-    "an error, infinite ones count as 0.";
+    "are an error, infinite ones count as 0.";
 
 void DefineOptions(CLI::App *app, Options *o) {
     cli::AddRequired(app, "files", &o->names, "pictures, or the beginning of their names");
@@ -111,7 +110,7 @@ void DefineOptions(CLI::App *app, Options *o) {
                  "picture of the variance of each mean value, as diff --variance reads it");
 }
 
-/// What tells pictures apart without keeping them.
+/// Enough of a picture to tell it from others without keeping it.
 struct Known {
     std::string file;
     ImageMetadata metadata;
@@ -150,7 +149,7 @@ struct Pictures {
     }
 };
 
-/// Whether all files say how many samples they have; a remark where only some do.
+/// True where all files say how many samples they have; a remark where only some do.
 bool AllTellSamples(const std::vector<std::string> &files, std::string *remarks) {
     size_t count = 0;
     std::string ignored;

@@ -58,21 +58,11 @@ std::optional<std::string> ToColorSpace(const std::string &name, Image *image) {
     if (!space)
         return fmt::format("unknown color space \"{}\"; there are {}", name,
                            QuotedList(RGBColorSpace::Names()));
-    const int r = image->ChannelIndex("R"), g = image->ChannelIndex("G"),
-              b = image->ChannelIndex("B");
-    if (r < 0 || g < 0 || b < 0) return "--colorspace needs the channels R, G and B";
     const auto matrix =
         RGBFromRGB(space->Chromaticities(),
                    image->metadata.chromaticities.value_or(RGBColorSpace::sRGB().Chromaticities()));
     if (!matrix) return "the picture's chromaticities span no color space";
-    for (size_t i = 0; i < image->Data().size(); i += image->NChannels()) {
-        float *p = &image->Data()[i];
-        const std::array<float, 3> in{p[r], p[g], p[b]};
-        const int index[3] = {r, g, b};
-        for (int k = 0; k < 3; ++k)
-            p[index[k]] =
-                (*matrix)[k][0] * in[0] + (*matrix)[k][1] * in[1] + (*matrix)[k][2] * in[2];
-    }
+    if (!TransformRGB(*matrix, image)) return "--colorspace needs the channels R, G and B";
     image->metadata.chromaticities = space->Chromaticities();
     if (SamePrimaries(space->Chromaticities(), kSRGBChromaticities))
         image->metadata.chromaticities.reset();

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
+
+#include "pbrt/util/matrix.h"
 
 namespace pbrt::imgtool {
 namespace {
@@ -29,25 +30,17 @@ struct Plane {
     }
 };
 
-using Matrix = std::array<Color, 3>;
 // As the authors' program has them: white is the sum of the columns.
-constexpr Matrix kXYZFromRGB{{{10135552. / 24577794, 8788810. / 24577794, 4435075. / 24577794},
-                              {2613072. / 12288897, 8788810. / 12288897, 887015. / 12288897},
-                              {1425312. / 73733382, 8788810. / 73733382, 70074185. / 73733382}}};
-constexpr Matrix kRGBFromXYZ{{{3.241003275, -1.537398934, -0.498615861},
-                              {-0.969224334, 1.875930071, 0.041554224},
-                              {0.055639423, -0.204011202, 1.057148933}}};
-
-Color Mul(const Matrix &m, const Color &c) {
-    Color out;
-    for (size_t i = 0; i < 3; ++i)
-        out[i] = m[i][0] * c[0] + m[i][1] * c[1] + m[i][2] * c[2];
-    return out;
-}
+constexpr Matrix3d kXYZFromRGB{{{10135552. / 24577794, 8788810. / 24577794, 4435075. / 24577794},
+                                {2613072. / 12288897, 8788810. / 12288897, 887015. / 12288897},
+                                {1425312. / 73733382, 8788810. / 73733382, 70074185. / 73733382}}};
+constexpr Matrix3d kRGBFromXYZ{{{3.241003275, -1.537398934, -0.498615861},
+                                {-0.969224334, 1.875930071, 0.041554224},
+                                {0.055639423, -0.204011202, 1.057148933}}};
 
 /// XYZ over that of white.
 Color RelativeXYZ(const Color &rgb) {
-    static const Color white = Mul(kXYZFromRGB, {1, 1, 1});
+    static const Color white = Mul(kXYZFromRGB, Color{1, 1, 1});
     Color xyz = Mul(kXYZFromRGB, rgb);
     for (size_t i = 0; i < 3; ++i)
         xyz[i] /= white[i];
@@ -58,10 +51,10 @@ Color YCxCz(const Color &rgb) {
     return {116 * t[1] - 16, 500 * (t[0] - t[1]), 200 * (t[1] - t[2])};
 }
 Color RGBOfYCxCz(const Color &c) {
-    static const Color white = Mul(kXYZFromRGB, {1, 1, 1});
+    static const Color white = Mul(kXYZFromRGB, Color{1, 1, 1});
     const double y = (c[0] + 16) / 116;
     return Mul(kRGBFromXYZ,
-               {white[0] * (y + c[1] / 500), white[1] * y, white[2] * (y - c[2] / 200)});
+               Color{white[0] * (y + c[1] / 500), white[1] * y, white[2] * (y - c[2] / 200)});
 }
 Color Lab(const Color &rgb) {
     constexpr double kDelta = 6. / 29;
@@ -93,7 +86,7 @@ struct Sensitivity {
 constexpr std::array<Sensitivity, 3> kSensitivities{
     {{1, 0.0047, 0, 1e-5}, {1, 0.0053, 0, 1e-5}, {34.1, 0.04, 13.5, 0.025}}};
 
-/// What the eye resolves of the picture, in linear sRGB, clamped to [0, 1].
+/// The picture as blurred as the eye sees it, in linear sRGB, clamped to [0, 1].
 Plane Filtered(const Plane &picture) {
     // Three standard deviations of the widest Gaussian.
     const int radius = int(std::ceil(3 * std::sqrt(0.04 / (2 * M_PI * M_PI)) * kPixelsPerDegree));

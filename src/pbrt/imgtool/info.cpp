@@ -11,11 +11,10 @@
 namespace pbrt::imgtool {
 namespace {
 
-std::string ColorSpaceName(const std::optional<Chromaticities> &xy) {
+std::string ColorSpaceName(const Image &image) {
+    const std::optional<Chromaticities> &xy = image.metadata.chromaticities;
     if (!xy) return "sRGB (the file names none)";
-    for (const std::string_view name : RGBColorSpace::Names())
-        if (SamePrimaries(RGBColorSpace::Named(name)->Chromaticities(), *xy))
-            return std::string(name);
+    if (const RGBColorSpace *const space = ColorSpaceOf(image)) return std::string(space->Name());
     const auto &c = *xy;
     return fmt::format("R ({}, {}), G ({}, {}), B ({}, {}), white ({}, {})", c[0][0], c[0][1],
                        c[1][0], c[1][1], c[2][0], c[2][1], c[3][0], c[3][1]);
@@ -61,7 +60,7 @@ std::string Text(const std::string &file, const Image &image) {
                                    image.Resolution().y, m.storedAs);
     text += fmt::format("  pixels [{}, {}) x [{}, {}) of {} x {}\n", x0, x1, y0, y1,
                         m.fullResolution.x, m.fullResolution.y);
-    text += fmt::format("  color space {}\n", ColorSpaceName(m.chromaticities));
+    text += fmt::format("  color space {}\n", ColorSpaceName(image));
     if (m.renderTimeSeconds) text += fmt::format("  render time {} s\n", *m.renderTimeSeconds);
     if (m.samplesPerPixel) text += fmt::format("  samples per pixel {}\n", *m.samplesPerPixel);
     if (m.mse) text += fmt::format("  MSE {}\n", *m.mse);

@@ -15,12 +15,10 @@ struct Options {
 constexpr char kMerge[] =
     "Joins crops and ranges of samples (pbrt --cropwindow, --pixelbounds, --sample-range) of one "
     "render. The result has the bits of a render of the whole; where samples are missing at the "
-    "end "
-    "it is a part again.";
+    "end it is a part again.";
 constexpr char kAssemble[] =
     "As merge, for the full picture: pixels that no file has are black. Crops of other programs "
-    "are "
-    "taken, too.";
+    "are taken, too.";
 
 void DefineOptions(CLI::App *app, Options *o) {
     cli::AddRequired(app, "files", &o->files, "the parts, .exr files");

@@ -27,7 +27,7 @@ OrError<Part> ReadPart(const std::string &file, bool needsOrigin, std::string *r
 /// channels, or two that hold the same samples of the same pixels. It names the two files.
 std::optional<std::string> WhyNotOne(std::span<const Part> parts);
 
-/// What parts make up.
+/// Parts joined.
 struct Merged {
     Image image;
     ExrWords sums;        ///< perPixel 0: all samples are there

@@ -10,24 +10,6 @@
 
 namespace pbrt::imgtool {
 
-OrError<Image> SelectChannels(const Image &image, const std::vector<std::string> &names) {
-    std::vector<int> source;
-    for (const std::string &name : names) {
-        source.push_back(image.ChannelIndex(name));
-        if (source.back() < 0)
-            return {{},
-                    fmt::format("has no channel \"{}\", but {}", name,
-                                fmt::join(image.ChannelNames(), ", "))};
-    }
-    Image selected(image.Resolution(), names);
-    selected.metadata = image.metadata;
-    for (int y = 0; y < image.Resolution().y; ++y)
-        for (int x = 0; x < image.Resolution().x; ++x)
-            for (size_t c = 0; c < source.size(); ++c)
-                selected.Set({x, y}, int(c), image.Get({x, y}, source[c]));
-    return {std::move(selected), {}};
-}
-
 OrError<Image> Crop(const Image &image, const std::vector<int> &crop) {
     const int x0 = crop[0], x1 = crop[1] < 0 ? crop[0] - crop[1] : crop[1];
     const int y0 = crop[2], y1 = crop[3] < 0 ? crop[2] - crop[3] : crop[3];
@@ -64,6 +46,15 @@ OrError<Image> ReadPart(const std::string &fileName, const std::vector<std::stri
     if (image && !crop.empty()) image = Crop(*image.value, crop);
     if (!image) image.error = fmt::format("{}: {}", fileName, image.error);
     return image;
+}
+
+const RGBColorSpace *ColorSpaceOf(const Image &image) {
+    const auto &xy = image.metadata.chromaticities;
+    if (!xy) return &RGBColorSpace::sRGB();
+    for (const std::string_view name : RGBColorSpace::Names())
+        if (SamePrimaries(RGBColorSpace::Named(name)->Chromaticities(), *xy))
+            return RGBColorSpace::Named(name);
+    return nullptr;
 }
 
 std::optional<std::string> Mismatch(const Image &a, const Image &b) {

@@ -63,32 +63,17 @@ Outcome WithOptions(Options &o) {
     OrError<Image> read = Read(o.file, &remarks);
     if (!read) return Failure(read.error);
     Image &image = *read.value;
-    const int index[3] = {image.ChannelIndex("R"), image.ChannelIndex("G"),
-                          image.ChannelIndex("B")};
-    if (std::min({index[0], index[1], index[2]}) < 0)
-        return Failure(fmt::format("{}: has not the channels R, G and B", o.file));
-    const RGBColorSpace *space = &RGBColorSpace::sRGB();
-    if (const auto &xy = image.metadata.chromaticities) {
-        space = nullptr;
-        for (const std::string_view name : RGBColorSpace::Names())
-            if (RGBColorSpace::Named(name)->Chromaticities() == *xy)
-                space = RGBColorSpace::Named(name);
-        if (!space)
-            return Failure(
-                fmt::format("{}: has a color space of its own; convert it with "
-                            "\"imgtool convert --colorspace\" first",
-                            o.file));
-    }
+    const RGBColorSpace *const space = ColorSpaceOf(image);
+    if (!space)
+        return Failure(
+            fmt::format("{}: has a color space of its own; convert it with \"imgtool "
+                        "convert --colorspace\" first",
+                        o.file));
     const Matrix3 rgbFromRGB = Product(
         Product(space->RGBFromXYZ(), WhiteBalance(*white.value, space->Chromaticities()[3])),
         space->XYZFromRGB());
-    for (size_t i = 0; i < image.Data().size(); i += size_t(image.NChannels())) {
-        float *const p = &image.Data()[i];
-        const std::array<float, 3> rgb =
-            Mul(rgbFromRGB, std::array<float, 3>{p[index[0]], p[index[1]], p[index[2]]});
-        for (size_t c = 0; c < 3; ++c)
-            p[index[c]] = rgb[c];
-    }
+    if (!TransformRGB(rgbFromRGB, &image))
+        return Failure(fmt::format("{}: has not the channels R, G and B", o.file));
     return Remarking(remarks, Write(image, o.outfile, ExrPixels::Float));
 }
 

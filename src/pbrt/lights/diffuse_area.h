@@ -126,7 +126,7 @@ struct DiffuseAreaLight {
         return ShapeSample{s.p, r.Error(), r.Normal(), s.uv, s.pdf};
     }
     float Opacity(const ShapeSample &at) const;
-    /// Of the primitive, at the shutter's opening.
+    /// Area of the primitive at the shutter's opening.
     float EmittingArea() const;
 };
 

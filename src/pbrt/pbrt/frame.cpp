@@ -36,7 +36,6 @@ struct Ready {
     RenderIdentity identity;
     Times times;
     std::optional<MseLog> mse;
-    bool onlyColors = false;  ///< the film's other channels are for the denoiser alone
 };
 
 void PrintWarnings(const RenderScene &scene, const ClampCounts &counts) {
@@ -203,7 +202,7 @@ class Rendering {
             *image = std::move(*denoised.value);
         else
             Warn(fmt::format("the picture is written with its noise: {}", denoised.error));
-        if (ready.onlyColors) *image = OnlyColors(*image);
+        if (film.ForDenoiserOnly()) *image = *SelectChannels(*image, {"R", "G", "B"}).value;
     }
 
     /// After a picture could not be written.
@@ -290,8 +289,6 @@ FrameResult RenderFrame(const Arguments &a, const std::optional<std::string> &th
     if (result.skipped) return result;
     start = std::chrono::steady_clock::now();
     progress.Begin("Building" + frameText);
-    const std::string_view film = description.film.type;
-    const bool onlyColors = a.denoise && (film.empty() || film == RGBFilm::kName);
     std::optional<Ready> ready = Build(std::move(description), a, log);
     times.build = Seconds(start);
     progress.Clear();
@@ -301,7 +298,6 @@ FrameResult RenderFrame(const Arguments &a, const std::optional<std::string> &th
         return result;
     }
     ready->times = times;
-    ready->onlyColors = onlyColors;
     result.exitCode = Rendering(*ready, a, &progress).Run();
     return result;
 }

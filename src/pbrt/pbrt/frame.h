@@ -7,7 +7,7 @@
 
 namespace pbrt::program {
 
-/// What became of a frame.
+/// The outcome of a frame.
 struct FrameResult {
     int exitCode = 0;
     bool skipped = false;  ///< its picture was there

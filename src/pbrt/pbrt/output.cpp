@@ -67,16 +67,4 @@ std::string WroteText(const std::string &file, double samplesPerPixel, double se
                        DurationText(seconds));
 }
 
-Image OnlyColors(const Image &image) {
-    const std::vector<std::string> names{"R", "G", "B"};
-    Image colors(image.Resolution(), names);
-    colors.metadata = image.metadata;
-    for (size_t c = 0; c < names.size(); ++c) {
-        const int from = image.ChannelIndex(names[c]);
-        for (size_t i = 0; 3 * i < colors.Data().size(); ++i)
-            colors.Data()[3 * i + c] = image.Data()[i * size_t(image.NChannels()) + size_t(from)];
-    }
-    return colors;
-}
-
 }  // namespace pbrt::program

@@ -27,7 +27,4 @@ std::optional<std::string> WritePartial(const RenderTask &task, const RenderIden
 /// "wrote x.exr (1.2 MB, 64 spp, 13 s)".
 std::string WroteText(const std::string &file, double samplesPerPixel, double seconds);
 
-/// The channels R, G and B, which the image has.
-Image OnlyColors(const Image &image);
-
 }  // namespace pbrt::program

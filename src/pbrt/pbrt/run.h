@@ -5,7 +5,7 @@
 
 namespace pbrt::program {
 
-/// What the program does with its command line.
+/// Runs the program by its command line.
 cli::Outcome Run(Arguments &arguments);
 
 }  // namespace pbrt::program

@@ -2,7 +2,7 @@
 
 #include "pbrt/cli/options.h"
 #include "pbrt/plytool/commands.h"
-#include "pbrt/shapes/ply.h"
+#include "pbrt/plytool/read_mesh.h"
 
 namespace pbrt::plytool {
 namespace {
@@ -50,11 +50,11 @@ std::string ShapeText(std::string_view type, const PlyMesh &mesh,
 cli::Outcome WithOptions(Options &o) {
     std::string text;
     for (const std::string &file : o.files) {
-        std::string problem;
-        const std::optional<PlyMesh> mesh = ReadPly(file, &problem);
-        if (!mesh) return cli::Failure("plytool", fmt::format("{}: {}", file, problem));
-        text += ShapeText("trianglemesh", *mesh, mesh->triangles, mesh->triangleFaces);
-        text += ShapeText("bilinearmesh", *mesh, mesh->quads, mesh->quadFaces);
+        const OrError<PlyMesh> mesh = ReadMesh(file);
+        if (!mesh) return cli::Failure("plytool", mesh.error);
+        text += ShapeText("trianglemesh", *mesh.value, mesh.value->triangles,
+                          mesh.value->triangleFaces);
+        text += ShapeText("bilinearmesh", *mesh.value, mesh.value->quads, mesh.value->quadFaces);
     }
     return {0, text, {}};
 }

@@ -2,7 +2,7 @@
 
 #include "pbrt/cli/options.h"
 #include "pbrt/plytool/commands.h"
-#include "pbrt/shapes/ply.h"
+#include "pbrt/plytool/read_mesh.h"
 
 namespace pbrt::plytool {
 namespace {
@@ -40,10 +40,9 @@ std::string Text(const std::string &file, const PlyMesh &mesh) {
 cli::Outcome WithOptions(Options &o) {
     std::string text;
     for (const std::string &file : o.files) {
-        std::string problem;
-        const std::optional<PlyMesh> mesh = ReadPly(file, &problem);
-        if (!mesh) return cli::Failure("plytool", fmt::format("{}: {}", file, problem));
-        text += Text(file, *mesh);
+        const OrError<PlyMesh> mesh = ReadMesh(file);
+        if (!mesh) return cli::Failure("plytool", mesh.error);
+        text += Text(file, *mesh.value);
     }
     return {0, text, {}};
 }

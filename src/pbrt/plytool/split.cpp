@@ -4,7 +4,7 @@
 
 #include "pbrt/cli/options.h"
 #include "pbrt/plytool/commands.h"
-#include "pbrt/shapes/ply.h"
+#include "pbrt/plytool/read_mesh.h"
 #include "pbrt/shapes/write_ply.h"
 #include "pbrt/util/atomic_file.h"
 
@@ -47,19 +47,19 @@ std::string Part(const PlyMesh &mesh, std::span<const uint32_t> indices) {
 }
 
 cli::Outcome WithOptions(Options &o) {
-    std::string problem;
-    const std::optional<PlyMesh> mesh = ReadPly(o.file, &problem);
-    if (!mesh) return cli::Failure("plytool", fmt::format("{}: {}", o.file, problem));
-    if (!mesh->quads.empty() || !mesh->triangleFaces.empty())
+    const OrError<PlyMesh> read = ReadMesh(o.file);
+    if (!read) return cli::Failure("plytool", read.error);
+    const PlyMesh &mesh = *read.value;
+    if (!mesh.quads.empty() || !mesh.triangleFaces.empty())
         return cli::Failure(
             "plytool", fmt::format("{}: only triangles without face indices can be split", o.file));
     const size_t most = 3 * size_t(o.maxFaces);
     std::string text;
-    for (size_t first = 0, k = 1; first < mesh->triangles.size(); first += most, ++k) {
-        const size_t count = std::min(most, mesh->triangles.size() - first);
+    for (size_t first = 0, k = 1; first < mesh.triangles.size(); first += most, ++k) {
+        const size_t count = std::min(most, mesh.triangles.size() - first);
         const std::string name = fmt::format("{}-{:03}.ply", o.outBase, k);
-        const auto why = WriteFileAtomically(
-            name, Part(*mesh, std::span(mesh->triangles).subspan(first, count)));
+        const auto why =
+            WriteFileAtomically(name, Part(mesh, std::span(mesh.triangles).subspan(first, count)));
         if (why) return cli::Failure("plytool", *why);
         text += fmt::format("{}: {} triangles\n", name, count / 3);
     }

@@ -21,15 +21,15 @@ struct RenderIdentity {
     PixelBounds pixels;
     std::string film;  ///< its type
 
-    /// Of text, assets and options.
+    /// One digest for text, assets and options.
     Digest Scene() const;
     /// How `other` differs, as the end of "is of ...": "another scene (its text differs)"; nullopt
     /// where nothing does.
     std::optional<std::string> Difference(const RenderIdentity &other) const;
 };
 
-/// What the description says; to be called before the scene is built, which uses it up. Reads the
-/// assets.
+/// The identity as far as the description tells it; to be called before the scene is built, which
+/// uses it up. Reads the assets.
 RenderIdentity IdentityOf(const SceneDescription &description, const Overrides &overrides);
 /// Adds what is known after the scene was built.
 void Complete(const RenderTask &task, RenderIdentity *identity);

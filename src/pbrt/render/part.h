@@ -15,7 +15,7 @@ ExrWords SumsForFile(const Film &film, const RenderState &state);
 /// The image of the samples so far, with one more channel, "samples": how many a pixel has.
 Image WithSampleCounts(const Film &film, const RenderState &state);
 
-/// What rendering cost: channels "samples" of a pixel, "seconds" of a thread and "rays", the last
+/// The cost of rendering: channels "samples" of a pixel, "seconds" of a thread and "rays", the last
 /// two as means over the tile of the pixel, for its pixels are traced together.
 Image CostImage(const Film &film, const RenderState &state);
 

@@ -28,7 +28,7 @@ struct RenderTask {
     /// The samples of each pixel that are rendered, where not all of them.
     std::optional<SampleRange> part;
 
-    /// Of the whole image.
+    /// Samples of each pixel of the whole image.
     int SamplesPerPixel() const;
     SampleRange Samples() const { return part.value_or(SampleRange{0, SamplesPerPixel()}); }
 };
@@ -47,7 +47,7 @@ std::optional<RenderTask> MakeRenderTask(SceneDescription &&description, const O
 /// `done` and `total` in samples; called from any thread, often. False stops the render.
 using RenderProgress = std::function<bool(int64_t done, int64_t total)>;
 
-/// What a render calls on its way.
+/// Functions that a render calls on its way.
 struct RenderHooks {
     RenderProgress progress;
     /// After a piece was added, if given; any thread, several at a time.

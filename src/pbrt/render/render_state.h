@@ -28,7 +28,7 @@ class RenderState {
     /// Nothing is rendered yet. The task must outlive it.
     explicit RenderState(const RenderTask &task);
 
-    /// What a tile has beside its sums.
+    /// The state of a tile beside its sums.
     struct Tile {
         int next = 0;                  ///< samples up to this one are in it
         bool enough = false;           ///< its error is as small as wanted: it gets no more

@@ -7,7 +7,7 @@
 
 namespace pbrt::rewrite {
 
-/// What `pbrt --format`, `--toply` and `--upgrade` make of scene files.
+/// The ways to rewrite scene files: `pbrt --format`, `--toply` and `--upgrade`.
 enum class Task {
     Format,   ///< the same, laid out anew
     ToPly,    ///< and large triangle meshes in PLY files beside the scene (to_ply.h)

@@ -36,7 +36,7 @@ struct Statement {
 };
 
 std::string Quoted(std::string_view name);
-/// What stands between the quotes of `written`; without quotes, the whole.
+/// The text between the quotes of `written`; without quotes, the whole.
 std::string Unquoted(std::string_view written);
 /// The values as numbers; nullopt where one is none.
 std::optional<std::vector<float>> Numbers(const Parameter &p);

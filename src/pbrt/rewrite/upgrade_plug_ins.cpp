@@ -33,7 +33,7 @@ std::string Written(float number) {
 
 namespace {
 
-/// What pbrt-v4 does without and no picture depends on.
+/// Takes out parameters that pbrt-v4 does without and no picture depends on.
 void DropSilently(std::initializer_list<std::string_view> names, Statement *s) {
     for (const std::string_view name : names)
         s->Remove(name);

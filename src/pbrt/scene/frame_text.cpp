@@ -106,7 +106,7 @@ class Expression {
         rest.remove_prefix(n);
         return number.value_or(0);
     }
-    /// What is left, without blanks before it.
+    /// The rest, without blanks before it.
     std::string_view Peek() {
         rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
         return rest;

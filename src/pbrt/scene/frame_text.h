@@ -14,7 +14,7 @@ namespace pbrt {
 OrError<std::string> PutFrame(std::string_view text, int frame);
 /// The same for a name, where # begins no comment.
 OrError<std::string> PutFrameInName(std::string_view name, int frame);
-/// Whether there is something for PutFrameInName to replace.
+/// True where there is something for PutFrameInName to replace.
 bool NamesFrame(std::string_view name);
 
 }  // namespace pbrt

@@ -19,8 +19,8 @@ Digest ToDigest(XXH128_hash_t hash) {
     return {hash.low64, hash.high64};
 }
 
-/// Of a file's bytes; that of nothing where it cannot be read. What memory could not hold, so that
-/// no plug-in reads it, counts by its size.
+/// The digest of a file's bytes; that of nothing where it cannot be read. A file that memory could
+/// not hold, so that no plug-in reads it, counts by its size.
 Digest DigestOfFile(const std::string &name) {
     std::error_code unknown;
     const uint64_t size = std::filesystem::file_size(name, unknown);

@@ -13,21 +13,21 @@ namespace pbrt {
 /// 128 bits of text or bytes; different ones share them with a probability of 3e-39.
 using Digest = std::array<uint64_t, 2>;
 Digest DigestOf(std::string_view bytes);
-/// That of both, in this order.
+/// The digest of both, in this order.
 Digest Joined(const Digest &a, const Digest &b);
 /// 32 hexadecimal digits.
 std::string ToText(const Digest &digest);
 
-/// What a scene is made of: the text of its files, and the files that quoted words in it name.
+/// The content of a scene: the text of its files, and the files that quoted words in it name.
 class SceneContent {
   public:
     /// The text of one more file; relative names in it start from the folder `dir`.
     void AddText(std::string_view text, std::string_view dir);
 
-    /// Of all text, layout and comments included.
+    /// The digest of all text, layout and comments included.
     const Digest &Text() const { return text; }
-    /// Of the contents of all files that were there when AddText saw their names, but for those
-    /// with these, which the scene writes. Reads them.
+    /// The digest of all files that were there when AddText saw their names, but for those with
+    /// these names, which the scene writes. Reads them.
     Digest Assets(std::span<const std::string> written) const;
 
   private:

@@ -72,15 +72,25 @@ class Transform {
 /// An affine Transform in three quarters of its memory.
 class AffineTransform {
   public:
-    using Rows = std::array<std::array<float, 4>, 3>;
-
     AffineTransform() : AffineTransform(Transform()) {}
     /// t IsAffine.
     explicit AffineTransform(const Transform &t) {
         for (size_t i = 0; i < 3; ++i)
             m[i] = t.Matrix()[i], mInv[i] = t.InverseMatrix()[i];
     }
-    const Rows &InverseRows() const { return mInv; }
+    // The inverse map, of one or of sixteen.
+    template <typename T>
+    Vec3<T> InversePoint(const Vec3<T> &p) const {
+        return {mInv[0][0] * p.x + mInv[0][1] * p.y + mInv[0][2] * p.z + mInv[0][3],
+                mInv[1][0] * p.x + mInv[1][1] * p.y + mInv[1][2] * p.z + mInv[1][3],
+                mInv[2][0] * p.x + mInv[2][1] * p.y + mInv[2][2] * p.z + mInv[2][3]};
+    }
+    template <typename T>
+    Vec3<T> InverseVector(const Vec3<T> &v) const {
+        return {mInv[0][0] * v.x + mInv[0][1] * v.y + mInv[0][2] * v.z,
+                mInv[1][0] * v.x + mInv[1][1] * v.y + mInv[1][2] * v.z,
+                mInv[2][0] * v.x + mInv[2][1] * v.y + mInv[2][2] * v.z};
+    }
     Transform Whole() const {
         constexpr std::array<float, 4> last{0, 0, 0, 1};
         return Transform::FromMatrixPair({{m[0], m[1], m[2], last}},
@@ -88,7 +98,7 @@ class AffineTransform {
     }
 
   private:
-    Rows m, mInv;
+    std::array<std::array<float, 4>, 3> m, mInv;
 };
 
 inline bool IsAffine(const Transform &t) {

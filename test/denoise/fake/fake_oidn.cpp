@@ -17,7 +17,7 @@ struct Filter {
     bool hdr = false, cleanAux = false, committed = false;
 };
 const char *problem = nullptr;
-/// What the filters of a device have been used for, as in "albedo normal color+albedo+normal".
+/// The uses of a device's filters, as in "albedo normal color+albedo+normal".
 std::string *const log = new std::string;
 
 }  // namespace
